@@ -1,0 +1,141 @@
+"""Action units, emotions and expressions: names, weights and nothing else."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from facemodel.errors import UnknownNameError
+
+Side = Literal["L", "R"]
+Group = Literal["upper", "horizontal", "vertical", "diagonal", "orbital", "jaw", "eyes"]
+
+GROUP_TITLES: Mapping[Group, str] = {
+    "upper": "Upper face",
+    "vertical": "Lower face · vertical",
+    "horizontal": "Lower face · horizontal",
+    "diagonal": "Lower face · diagonal",
+    "orbital": "Lower face · orbital",
+    "jaw": "Jaw",
+    "eyes": "Eyes and lids",
+}
+"""The groups of FACS in the order in which they are shown."""
+
+Expression = Mapping[str, float]
+"""Weights of field names (``12L``, ``12R``, ``17``); a name that is absent weighs zero."""
+
+
+@dataclass(frozen=True)
+class JawMotion:
+    """What an action unit does to the mandible at activation 1: opening in degrees, condylar slide in millimetres."""
+
+    degrees: float
+    slide: float = 0.0
+
+
+@dataclass(frozen=True)
+class ActionUnit:
+    """A weighted sum of muscle activations plus jaw motion.
+
+    Attributes
+    ----------
+    number : FACS number
+    name : FACS name, for example ``lip corner puller``
+    group : where it is listed
+    paired : whether it exists as left and right alone
+    muscles : activation of each muscle by its name without side
+    jaw : motion of the mandible
+    amplitude : largest displacement of the skin at activation 1, millimetres
+    note : one line for people
+    """
+
+    number: int
+    name: str
+    group: Group
+    paired: bool
+    muscles: Mapping[str, float]
+    amplitude: float
+    jaw: JawMotion | None = None
+    note: str = ""
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """Names of its displacement fields: ``("12L", "12R")`` or ``("17",)``."""
+        return (f"{self.number}L", f"{self.number}R") if self.paired else (str(self.number),)
+
+
+@dataclass(frozen=True)
+class Emotion:
+    """A named expression.
+
+    Attributes
+    ----------
+    name : lower case, for example ``happiness``
+    weights : weight of each action unit, by any name that `resolve` knows
+    """
+
+    name: str
+    weights: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def title(self) -> str:
+        """The name as a person writes it."""
+        return self.name.capitalize()
+
+
+def field_names(units: Iterable[ActionUnit]) -> tuple[str, ...]:
+    """Names of all displacement fields, in the order of the units, left before right."""
+    return tuple(name for unit in units for name in unit.fields)
+
+
+def resolve(name: str, units: Sequence[ActionUnit]) -> tuple[str, ...]:
+    """Fields meant by a name such as ``12``, ``AU12``, ``12L``, ``lip corner puller`` or ``lip corner puller R``.
+
+    Raises
+    ------
+    UnknownNameError
+        If there is no such action unit, or it has no sides and one was named.
+    """
+    asked = re.sub(r"[\s_-]+", " ", name.strip()).lower()
+    bare, side = re.fullmatch(r"(.*?)(?:(?<=\d)|\s+)?([lr])?", asked).groups()  # type: ignore[union-attr]
+    for unit in units:
+        spoken = {str(unit.number), f"au{unit.number}", f"au {unit.number}", unit.name.lower()}
+        if asked in spoken:
+            return unit.fields
+        if side and bare.strip() in spoken and unit.paired:
+            return (f"{unit.number}{side.upper()}",)
+        if side and bare.strip() in spoken:
+            raise UnknownNameError(f"Action unit {unit.number} ({unit.name}) has no left and right; name it {unit.number}.")
+    known = ", ".join(str(u.number) for u in units)
+    raise UnknownNameError(f"There is no action unit “{name}”; this face has {known} (paired ones also as 12L, 12R).")
+
+
+def find_emotion(name: str, emotions: Sequence[Emotion]) -> Emotion:
+    """The emotion of that name, whatever its case.
+
+    Raises
+    ------
+    UnknownNameError
+        If there is none.
+    """
+    for emotion in emotions:
+        if emotion.name.lower() == name.strip().lower():
+            return emotion
+    known = ", ".join(e.name for e in emotions)
+    raise UnknownNameError(f"There is no emotion “{name}”; choose one of {known}.")
+
+
+def expand(weights: Mapping[str, float], units: Sequence[ActionUnit]) -> dict[str, float]:
+    """Weights by field from weights by any name; a later name overrides an earlier one."""
+    return {fld: float(weight) for name, weight in weights.items() for fld in resolve(name, units)}
+
+
+def mixed(parts: Iterable[Expression]) -> dict[str, float]:
+    """Several expressions at once: per field the largest weight, so that a shared unit is not doubled."""
+    total: dict[str, float] = {}
+    for part in parts:
+        for name, weight in part.items():
+            total[name] = max(total.get(name, 0.0), weight)
+    return total

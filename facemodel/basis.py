@@ -1,0 +1,51 @@
+"""The basis: every displacement field of a face, sampled on what is drawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from facemodel.display import DisplaySurface
+from fem.types import Float32Array, FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Basis:
+    """Displacement fields at activation 1 (design section 7).
+
+    Attributes
+    ----------
+    names : M field names, for example ``12L``, ``12R``, ``17``
+    display : the surface and the parts that the fields belong to
+    fields : (M, 3 Q) float32, C order, millimetres; Q = the moving skin points, then the points of the parts that
+        the skin carries, in the order of ``display.carried``
+    slopes : (M, 6 S) float32, C order; for the S moving skin points d/du (3) and d/dv (3)
+    jaw : (M, 2) float64, opening in degrees and slide in millimetres, which turn the parts the jaw carries
+    origin : ``solved``, ``sculpted`` or ``imported``
+    """
+
+    names: tuple[str, ...]
+    display: DisplaySurface
+    fields: Float32Array
+    slopes: Float32Array
+    jaw: FloatArray
+    origin: str = "solved"
+
+    @cached_property
+    def index(self) -> dict[str, int]:
+        """Row of each field by its name."""
+        return {name: row for row, name in enumerate(self.names)}
+
+    def field(self, name: str) -> Float32Array:
+        """One field on the whole drawn skin (P, 3), zero where the skin is held; millimetres."""
+        full = np.zeros((len(self.display.points), 3), dtype=np.float32)
+        moving = self.display.moving
+        full[:moving] = self.fields[self.index[name], : 3 * moving].reshape(-1, 3)
+        return full
+
+    def peak(self, name: str) -> float:
+        """Largest displacement of the skin by one field, millimetres."""
+        row = self.fields[self.index[name], : 3 * self.display.moving].reshape(-1, 3)
+        return float(np.linalg.norm(row, axis=1).max())

@@ -1,0 +1,19 @@
+"""Errors that reach a user: one sentence that says what is wrong, where, and what to do."""
+
+from __future__ import annotations
+
+
+class RisoriusError(Exception):
+    """Base of all errors whose message is meant for the person at the screen."""
+
+
+class ProjectError(RisoriusError):
+    """A project or exchange file cannot be read or written."""
+
+
+class UnknownNameError(RisoriusError):
+    """An action unit, emotion, muscle, face or view that does not exist was named."""
+
+
+class FaceError(RisoriusError):
+    """A face is not fit for solving: not manifold, no chart, or left loose by its supports."""

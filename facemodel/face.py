@@ -1,0 +1,143 @@
+"""A face: the skin, what lies behind it, and the painted fields that make it tissue.  All values are frozen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import Literal
+
+from facemodel.mesh import Mesh
+from fem.types import BoolArray, FloatArray, IntArray
+
+Carrier = Literal["skull", "jaw", "skin"]
+PartKind = Literal["lining", "socket", "lashes", "teeth", "tongue"]
+
+
+class Support(IntEnum):
+    """How the displacement of a skin vertex is held (a boundary condition)."""
+
+    FREE = 0
+    VALUE = 1
+    """The vertex stays where it is; the surface may turn about it."""
+    CLAMPED = 2
+    """The vertex and the slope of the surface stay: value and slope held."""
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """Something that is drawn with the skin but not solved.
+
+    Attributes
+    ----------
+    name : unique, for example ``teeth-lower``
+    kind : what it is, which decides how it looks
+    carrier : what moves it: the skull (still), the jaw (a rigid turn) or the skin (its displacements, interpolated)
+    mesh : its rest shape
+    anchors, shares : (P, K) skin vertices and weights (rows sum to one) that carry each vertex; empty unless
+        ``carrier`` is ``skin``
+    """
+
+    name: str
+    kind: PartKind
+    carrier: Carrier
+    mesh: Mesh
+    anchors: IntArray
+    shares: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Eye:
+    """An eyeball: its centre (3,) and radius in millimetres; it looks along +z at rest."""
+
+    side: Literal["L", "R"]
+    centre: FloatArray
+    radius: float
+
+
+@dataclass(frozen=True, eq=False)
+class Jaw:
+    """The hinge of the mandible.
+
+    Attributes
+    ----------
+    axis : (2, 3) the right and left condyle, millimetres
+    teeth : (3,) a point between the lower incisors
+    """
+
+    axis: FloatArray
+    teeth: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Skull:
+    """The bone under the skin.
+
+    Attributes
+    ----------
+    cranium, mandible : closed meshes
+    anchors : (N, 3) for every skin vertex the point of the bone its main spring goes to
+    jawbone : (N,) in 0..1, the share of that point which belongs to the mandible
+    jaw : the hinge
+    """
+
+    cranium: Mesh
+    mandible: Mesh
+    anchors: FloatArray
+    jawbone: FloatArray
+    jaw: Jaw
+
+
+@dataclass(frozen=True, eq=False)
+class Layers:
+    """The painted fields, one row per skin vertex.
+
+    Attributes
+    ----------
+    direction : (N, 3) first principal direction of alpha and beta, a vector in space that is projected on the skin
+    stretching : (N, 2) principal stiffnesses alpha along and across it, N/mm
+    bending : (N, 3) beta as b11, b22, b12 in the same frame, N mm
+    stiffness : (N,) tissue stiffness along the normal per area of skin, N/mm^3
+    supports : (N,) int8, see `Support`
+    """
+
+    direction: FloatArray
+    stretching: FloatArray
+    bending: FloatArray
+    stiffness: FloatArray
+    supports: IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Face:
+    """Everything that is known of one head at rest.  Axes: x to the subject's left, y up, z forward; millimetres.
+
+    Attributes
+    ----------
+    key, title : file name and the name people see
+    skin : the whole skin of the head, with boundary loops mouth, two eyes and neck rim
+    solved : (T,) bool, the triangles that the finite elements move; the rest is held and drawn
+    uv : (N, 2) texture coordinates
+    mirror : (N,) skin vertex across the midline
+    chart : (N, 2) the bijective, low-distortion map (u, v) of the skin
+    landmarks : skin vertices by anatomical name
+    eyes : left and right eyeball
+    parts : what is drawn with the skin
+    skull : the bone
+    layers : the painted fields
+    provenance : where the data come from and under which licence
+    """
+
+    key: str
+    title: str
+    skin: Mesh
+    solved: BoolArray
+    uv: FloatArray
+    mirror: IntArray
+    chart: FloatArray
+    landmarks: Mapping[str, int]
+    eyes: tuple[Eye, Eye]
+    parts: tuple[Part, ...]
+    skull: Skull
+    layers: Layers
+    provenance: str = field(default="")
