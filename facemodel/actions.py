@@ -29,7 +29,7 @@ Expression = Mapping[str, float]
 
 @dataclass(frozen=True)
 class JawMotion:
-    """What an action unit does to the mandible at activation 1: opening in degrees, condylar slide in millimetres."""
+    """What an action unit does to the mandible at activation 1: opening in degrees, slide in millimetres."""
 
     degrees: float
     slide: float = 0.0
@@ -91,7 +91,7 @@ def field_names(units: Iterable[ActionUnit]) -> tuple[str, ...]:
 
 
 def resolve(name: str, units: Sequence[ActionUnit]) -> tuple[str, ...]:
-    """Fields meant by a name such as ``12``, ``AU12``, ``12L``, ``lip corner puller`` or ``lip corner puller R``.
+    """Fields meant by a name such as ``12``, ``AU12``, ``12L`` or ``lip corner puller R``.
 
     Raises
     ------
@@ -107,9 +107,13 @@ def resolve(name: str, units: Sequence[ActionUnit]) -> tuple[str, ...]:
         if side and bare.strip() in spoken and unit.paired:
             return (f"{unit.number}{side.upper()}",)
         if side and bare.strip() in spoken:
-            raise UnknownNameError(f"Action unit {unit.number} ({unit.name}) has no left and right; name it {unit.number}.")
+            raise UnknownNameError(
+                f"Action unit {unit.number} ({unit.name}) has no left and right; name it {unit.number}."
+            )
     known = ", ".join(str(u.number) for u in units)
-    raise UnknownNameError(f"There is no action unit “{name}”; this face has {known} (paired ones also as 12L, 12R).")
+    raise UnknownNameError(
+        f"There is no action unit “{name}”; this face has {known} (paired ones also as 12L, 12R)."
+    )
 
 
 def find_emotion(name: str, emotions: Sequence[Emotion]) -> Emotion:

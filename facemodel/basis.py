@@ -19,9 +19,9 @@ class Basis:
     ----------
     names : M field names, for example ``12L``, ``12R``, ``17``
     display : the surface and the parts that the fields belong to
-    fields : (M, 3 Q) float32, C order, millimetres; Q = the moving skin points, then the points of the parts that
-        the skin carries, in the order of ``display.carried``
-    slopes : (M, 6 S) float32, C order; for the S moving skin points d/du (3) and d/dv (3)
+    fields : (M, 3 Q) float32, C order, millimetres; Q = the points of the parts that the skin carries, in the
+        order of ``display.carried``, then the moving skin points
+    slopes : (M, 6 S) float32, C order; rows x, y, z of d/du and of d/dv of the S moving skin points
     jaw : (M, 2) float64, opening in degrees and slide in millimetres, which turn the parts the jaw carries
     origin : ``solved``, ``sculpted`` or ``imported``
     """
@@ -42,10 +42,23 @@ class Basis:
         """One field on the whole drawn skin (P, 3), zero where the skin is held; millimetres."""
         full = np.zeros((len(self.display.points), 3), dtype=np.float32)
         moving = self.display.moving
-        full[:moving] = self.fields[self.index[name], : 3 * moving].reshape(-1, 3)
+        full[:moving] = self.moving_field(name)
         return full
 
     def peak(self, name: str) -> float:
         """Largest displacement of the skin by one field, millimetres."""
-        row = self.fields[self.index[name], : 3 * self.display.moving].reshape(-1, 3)
-        return float(np.linalg.norm(row, axis=1).max())
+        return float(np.linalg.norm(self.moving_field(name), axis=1).max())
+
+    def moving_field(self, name: str) -> Float32Array:
+        """One field on the moving skin points (S, 3), a view; millimetres."""
+        row = self.fields[self.index[name]]
+        return row[len(row) - 3 * self.display.moving :].reshape(-1, 3)
+
+    def carried_field(self, name: str, part: str) -> Float32Array:
+        """One field on the points (n, 3) of a part that the skin carries, a view; millimetres."""
+        start = 0
+        for carried, count in self.display.carried:
+            if carried == part:
+                return self.fields[self.index[name], 3 * start : 3 * (start + count)].reshape(-1, 3)
+            start += count
+        raise KeyError(part)

@@ -1,4 +1,4 @@
-"""A face: the skin, what lies behind it, and the painted fields that make it tissue.  All values are frozen."""
+"""A face: the skin, what lies behind it, and the painted fields that make it tissue; frozen values."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Part:
     ----------
     name : unique, for example ``teeth-lower``
     kind : what it is, which decides how it looks
-    carrier : what moves it: the skull (still), the jaw (a rigid turn) or the skin (its displacements, interpolated)
+    carrier : what moves it: the skull (still), the jaw (a rigid turn) or the skin (its displacements)
     mesh : its rest shape
     anchors, shares : (P, K) skin vertices and weights (rows sum to one) that carry each vertex; empty unless
         ``carrier`` is ``skin``
@@ -94,7 +94,7 @@ class Layers:
 
     Attributes
     ----------
-    direction : (N, 3) first principal direction of alpha and beta, a vector in space that is projected on the skin
+    direction : (N, 3) first principal direction of alpha and beta, a vector that is projected on the skin
     stretching : (N, 2) principal stiffnesses alpha along and across it, N/mm
     bending : (N, 3) beta as b11, b22, b12 in the same frame, N mm
     stiffness : (N,) tissue stiffness along the normal per area of skin, N/mm^3
@@ -110,7 +110,7 @@ class Layers:
 
 @dataclass(frozen=True, eq=False)
 class Face:
-    """Everything that is known of one head at rest.  Axes: x to the subject's left, y up, z forward; millimetres.
+    """Everything that is known of one head at rest; x to the subject's left, y up, z forward; millimetres.
 
     Attributes
     ----------

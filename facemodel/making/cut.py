@@ -1,7 +1,7 @@
 """Cut the head out of the base mesh: one manifold skin with four boundary loops, and the parts behind it.
 
-The base mesh is one closed body whose mouth and eye sockets are pockets. Its UV seams run along the wet line of
-the lips and along the lid margins, so the skin of the head is a UV island, and the pockets are islands of their own.
+The base mesh is one closed body whose mouth and eye sockets are pockets. Its UV seams run along the wet line
+of the lips and along the lid margins: the skin of the head is one UV island, the pockets are others.
 The neck belongs to the island of the body and is clipped by a plane.
 """
 
@@ -25,7 +25,7 @@ NEAR_PLANE = 3.0
 
 RIM_Z = 28.0
 RIM_NECK = 7.0
-"""Millimetres: the solved face lies in front of this z (behind the ears) and this far above the neck's plane."""
+"""Millimetres: the solved face lies in front of this z (behind the ears), this far above the neck's plane."""
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ def triangulate(quads: IntArray, positions: FloatArray, mirror: IntArray) -> Int
 def _slid_onto_plane(
     triangles: IntArray, positions: FloatArray, height: FloatArray
 ) -> tuple[IntArray, FloatArray]:
-    """For every vertex near the plane the neighbour along whose edge it slides, and how far (a share of the edge)."""
+    """For every vertex near the plane the neighbour towards which it slides, and the share of that edge."""
     partner = np.arange(len(positions))
     share = np.zeros(len(positions))
     best = np.zeros(len(positions))
@@ -104,7 +104,7 @@ def _slid_onto_plane(
 
 
 def _clip(triangles: IntArray, height: FloatArray) -> tuple[IntArray, dict[tuple[int, int], int]]:
-    """Keep what lies above height zero; new vertices are numbered from len(height) and keyed by their edge."""
+    """Keep what lies above height zero; new vertices are numbered from len(height), keyed by their edge."""
     new: dict[tuple[int, int], int] = {}
 
     def crossing(a: int, b: int) -> int:
@@ -138,7 +138,9 @@ def cut_head(base: BaseMesh, mirror: IntArray, mouth_vertex: int) -> Cut:
     body = base.groups["body"]
     labels = uv_islands(body)
     head = island_of(body, labels, mouth_vertex)
-    torso = body[labels == np.bincount(labels[labels != labels[(body[:, :, 0] == mouth_vertex).any(1)][0]]).argmax()]
+    torso = body[
+        labels == np.bincount(labels[labels != labels[(body[:, :, 0] == mouth_vertex).any(1)][0]]).argmax()
+    ]
     high = base.positions[torso[:, :, 0]][:, :, 1].max(axis=1) > NECK_POINT[1] - 60
     quads = np.concatenate([head, torso[high]])
     triangles = triangulate(quads[:, :, 0], base.positions, mirror)
@@ -168,7 +170,9 @@ def _compact(
 
     reflected = at * [-1, 1, 1]
     across = np.linalg.norm(at[None, :, :] - reflected[:, None, :], axis=2).argmin(axis=1)
-    number = {int(v): k for k, (v, e) in enumerate(zip(ends[:, 0], used, strict=True)) if e < len(base.positions)}
+    number = {
+        int(v): k for k, (v, e) in enumerate(zip(ends[:, 0], used, strict=True)) if e < len(base.positions)
+    }
     for v, k in number.items():
         across[k] = number.get(int(mirror[v]), across[k])
 

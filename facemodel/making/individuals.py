@@ -42,9 +42,7 @@ def positions(wheel: Wheel, person: Individual) -> FloatArray:
     macro = f"{TARGETS}macrodetails/"
     shape = wheel.base.positions.copy()
     shape += wheel.target(f"{macro}{person.ancestry}-{person.sex}-{person.age}.target.gz")
-    shape += wheel.target(
-        f"{macro}universal-{person.sex}-{person.age}-averagemuscle-averageweight.target.gz"
-    )
+    shape += wheel.target(f"{macro}universal-{person.sex}-{person.age}-averagemuscle-averageweight.target.gz")
     for name, weight in person.details.items():
         shape += weight * wheel.target(f"{TARGETS}{name}.target.gz")
     return shape

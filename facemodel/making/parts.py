@@ -1,0 +1,101 @@
+"""Eyeballs, teeth, tongue, lashes, lid sockets and mouth lining, from the base mesh's own pieces."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.sparse import csr_array, diags_array
+from scipy.sparse.linalg import splu
+
+from facemodel.face import Carrier, Eye, Part, PartKind
+from facemodel.making.cut import Cut, island_of, uv_islands
+from facemodel.making.wheel import BaseMesh
+from facemodel.mesh import Mesh
+from fem.types import FloatArray, IntArray
+
+LASH_GROUPS = {
+    "L": ("helper-l-eyelashes-1", "helper-l-eyelashes-2"),
+    "R": ("helper-r-eyelashes-1", "helper-r-eyelashes-2"),
+}
+NEAREST = 4
+"""Skin vertices that carry a lash vertex: enough to be smooth, few enough to stay on its own lid."""
+
+
+def fitted_sphere(points: FloatArray) -> tuple[FloatArray, float]:
+    """Least-squares sphere through points (n, 3): centre (3,) and radius."""
+    matrix = np.column_stack([2 * points, np.ones(len(points))])
+    solution = np.linalg.lstsq(matrix, (points**2).sum(axis=1), rcond=None)[0]
+    return solution[:3], float(np.sqrt(solution[3] + solution[:3] @ solution[:3]))
+
+
+def eyes(base: BaseMesh, shape: FloatArray) -> tuple[Eye, Eye]:
+    """The two eyeballs of a shape (V, 3), from the sclera of the base mesh's eyes."""
+    found = []
+    for side, group in (("L", "helper-l-eye"), ("R", "helper-r-eye")):
+        points = shape[np.unique(base.groups[group][:, :, 0])]
+        back = points[:, 2] < np.quantile(points[:, 2], 0.8)
+        centre, radius = fitted_sphere(points[back])
+        found.append(Eye("L" if side == "L" else "R", centre, radius))
+    return found[0], found[1]
+
+
+def _triangles(quads: IntArray) -> tuple[IntArray, IntArray]:
+    """Triangles numbered from zero and the base vertices they use."""
+    q = quads[:, :, 0]
+    used, triangles = np.unique(np.concatenate([q[:, [0, 1, 2]], q[:, [0, 2, 3]]]), return_inverse=True)
+    return triangles.reshape(-1, 3).astype(np.int64), used
+
+
+def rigid(base: BaseMesh, shape: FloatArray, group: str, name: str, kind: PartKind, carrier: Carrier) -> Part:
+    """A part that moves as one piece."""
+    triangles, used = _triangles(base.groups[group])
+    none = np.zeros((0, 0))
+    return Part(name, kind, carrier, Mesh(shape[used], triangles), none.astype(np.int64), none)
+
+
+def _harmonic_shares(mesh: Mesh, rim: IntArray) -> FloatArray:
+    """Weights (n, len(rim)) that carry rim values smoothly over a pocket; rows sum to one."""
+    degree = np.asarray(mesh.adjacency.sum(axis=1)).ravel()
+    laplacian = csr_array(diags_array(degree) - mesh.adjacency)
+    inner = np.setdiff1d(np.arange(len(mesh.positions)), rim)
+    shares = np.zeros((len(mesh.positions), len(rim)))
+    shares[rim, np.arange(len(rim))] = 1.0
+    factor = splu(laplacian[inner][:, inner].tocsc())
+    shares[inner] = factor.solve(-laplacian[inner][:, rim].toarray())
+    return shares
+
+
+def pocket(base: BaseMesh, shape: FloatArray, cut: Cut, seed: int, name: str, kind: PartKind) -> Part:
+    """A pocket of the base mesh (mouth, eye socket) that hangs on the loop of the skin where it was cut off.
+
+    Parameters
+    ----------
+    seed : a base vertex inside the pocket
+    """
+    quads = island_of(base.groups["body"], uv_islands(base.groups["body"]), seed)
+    triangles, used = _triangles(quads)
+    mesh = Mesh(shape[used], triangles)
+    skin_of = {int(a): k for k, (a, _) in enumerate(cut.ends)}
+    rim = np.array([k for k, v in enumerate(used) if int(v) in skin_of])
+    shares = _harmonic_shares(mesh, rim)
+    anchors = np.broadcast_to(np.array([skin_of[int(used[k])] for k in rim]), shares.shape).copy()
+    return Part(name, kind, "skin", mesh, anchors, shares)
+
+
+def lashes(base: BaseMesh, shape: FloatArray, skin: FloatArray, loop: IntArray, side: str) -> Part:
+    """Upper and lower lashes of one eye, carried by the nearest vertices of their own lid's margin."""
+    level = skin[loop][:, 1].mean()
+    pieces = [_triangles(base.groups[group]) for group in LASH_GROUPS[side]]
+    positions = np.concatenate([shape[used] for _, used in pieces])
+    anchors, shares = [], []
+    for _, used in pieces:
+        upper = shape[used][:, 1].mean() > level
+        margin = loop[(skin[loop][:, 1] > level) == upper]
+        distance = np.linalg.norm(shape[used][:, None] - skin[margin][None], axis=2)
+        near = np.argsort(distance, axis=1)[:, :NEAREST]
+        weight = 1 / (np.take_along_axis(distance, near, axis=1) + 0.1)
+        anchors.append(margin[near])
+        shares.append(weight / weight.sum(axis=1, keepdims=True))
+    starts = np.cumsum([0] + [len(used) for _, used in pieces[:-1]])
+    triangles = np.concatenate([t + start for (t, _), start in zip(pieces, starts, strict=True)])
+    mesh = Mesh(positions, triangles)
+    return Part(f"lashes-{side}", "lashes", "skin", mesh, np.concatenate(anchors), np.concatenate(shares))

@@ -1,0 +1,76 @@
+"""What a muscle is, whatever model turns it into forces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from fem.types import FloatArray
+
+Model = Literal["fibre", "sphincter", "lid"]
+MuscleSide = Literal["L", "R", "M"]
+
+
+@dataclass(frozen=True, eq=False)
+class Fibre:
+    """One muscle vector, from its origin on the skull to its attachment on the skin; (3,) in millimetres."""
+
+    origin: FloatArray
+    attachment: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Sphincter:
+    """The ring of a sphincter on the skin: an ellipse by its centre and two half axes; (3,) in millimetres.
+
+    It pulls towards its line of closure, the middle ``focus`` of the long axis (0 a point, 1 the whole axis), with
+    the share ``inward``, and along the outward normal, long axis cross short axis, with the share ``forward``.
+    A ``sector`` that is not zero keeps the half of the ring that lies towards it, so that two halves make a whole.
+    """
+
+    centre: FloatArray
+    long_axis: FloatArray
+    short_axis: FloatArray
+    sector: FloatArray = field(default_factory=lambda: np.zeros(3))
+    focus: float = 0.0
+    inward: float = 1.0
+    forward: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Muscle:
+    """A muscle on one side of the face.
+
+    Attributes
+    ----------
+    name : without side, for example ``zygomaticus_major``
+    side : ``L``, ``R`` or ``M`` for a single muscle across the midline
+    title : Latin name for people
+    group : ``brow``, ``eye``, ``nose``, ``cheek``, ``lip`` or ``chin``; decides the colour
+    model : which model turns it into forces
+    fibres : its central fibres
+    ring : the ellipse of a sphincter
+    width : omega, half width of a fibre's influence, millimetres
+    kappa : exponent of the longitudinal profile; larger pulls nearer to the attachment
+    strength : force per area of skin where the influence is one, N/mm^2
+    count : fibres generated in the fan between the central ones
+    """
+
+    name: str
+    side: MuscleSide
+    title: str
+    group: str
+    model: Model
+    fibres: tuple[Fibre, ...]
+    ring: Sphincter | None
+    width: float
+    kappa: float
+    strength: float
+    count: int
+
+    @property
+    def key(self) -> str:
+        """Unique name: ``zygomaticus_major_L``; a single muscle has no suffix."""
+        return self.name if self.side == "M" else f"{self.name}_{self.side}"

@@ -1,0 +1,40 @@
+"""A project: a face, its muscles, its action units and the expression in hand.  A frozen value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from facemodel.actions import ActionUnit, Emotion, Expression
+from facemodel.face import Face
+from facemodel.muscles import Muscle
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How the face is solved and sampled.
+
+    Attributes
+    ----------
+    element : ``hct9`` or ``hct12``
+    density : segments into which each element's edge is cut for drawing
+    """
+
+    element: Literal["hct9", "hct12"] = "hct9"
+    density: int = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Project:
+    """Everything a user saves."""
+
+    face: Face
+    muscles: tuple[Muscle, ...]
+    units: tuple[ActionUnit, ...]
+    emotions: tuple[Emotion, ...]
+    expression: Expression = field(default_factory=dict)
+    settings: Settings = field(default_factory=Settings)
+
+    def posed(self, expression: Expression) -> Project:
+        """The same project with another expression in hand."""
+        return replace(self, expression=dict(expression))

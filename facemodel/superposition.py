@@ -1,0 +1,138 @@
+"""Pose a face in real time: u = u_init + sum of w_k u_k (design section 7), into arrays that never move."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.linalg.blas import saxpy, sgemv
+from scipy.spatial.transform import Rotation
+
+from facemodel.actions import Expression
+from facemodel.basis import Basis
+from facemodel.face import Face, Jaw
+from fem.types import Float32Array, FloatArray
+
+REFRESH_AFTER = 256
+"""Increments of one weight after which the sum is formed anew, so that float32 rounding cannot pile up."""
+
+FEW = 0.4
+"""Share of active fields up to which adding them one by one beats the product with all of them (measured)."""
+
+SMALLEST_NORMAL = np.float32(1e-12)
+"""Guards the division where a surface folds onto itself and its normal vanishes."""
+
+
+def jaw_motion(jaw: Jaw, degrees: float, slide: float) -> FloatArray:
+    """Rigid motion (4, 4) of the mandible: a turn about the condylar axis and a slide forward and down.
+
+    Parameters
+    ----------
+    jaw : the hinge
+    degrees : opening
+    slide : how far the condyles slide along the articular eminence, millimetres
+    """
+    right, left = jaw.axis
+    along = (left - right) / np.linalg.norm(left - right)
+    turn = Rotation.from_rotvec(np.radians(degrees) * along).as_matrix()
+    motion = np.eye(4)
+    motion[:3, :3] = turn
+    motion[:3, 3] = right - turn @ right + slide * EMINENCE
+    return motion
+
+
+EMINENCE = np.array([0.0, -0.5, np.sqrt(0.75)])
+"""Unit direction in which the condyle slides: forward, 30 degrees down along the articular eminence."""
+
+
+class Superposition:
+    """One posed face in reused float32 buffers.
+
+    The buffer holds the carried parts, the moving skin and the held skin one behind the other, so that one
+    matrix-vector product writes the very array that is drawn.
+
+    Attributes
+    ----------
+    points : (P, 3) float32, the posed skin; always the same array
+    normals : (P, 3) float32, its unit normals; always the same array
+    parts : posed points (n, 3) float32 of every part of the face by its name; always the same arrays
+    jaw : (4, 4) motion of the mandible
+    """
+
+    def __init__(self, face: Face, basis: Basis) -> None:
+        self.face = face
+        self.basis = basis
+        display = basis.display
+        rest_of = {part.name: part.mesh.positions.astype(np.float32) for part in face.parts}
+        carried = [rest_of[name] for name, _ in display.carried]
+        self._buffer: Float32Array = np.concatenate([*carried, display.points]).ravel()
+        self._live = basis.fields.shape[1]
+        self._rest = self._buffer[: self._live].copy()
+        self._slopes = display.slopes.astype(np.float32).ravel()
+        self._rest_slopes = self._slopes.copy()
+        self._weights = np.zeros(len(basis.names), dtype=np.float32)
+        self._increments = 0
+
+        first_skin = sum(count for _, count in display.carried)
+        self.points: Float32Array = self._buffer.reshape(-1, 3)[first_skin:]
+        self.normals: Float32Array = display.normals.astype(np.float32)
+        self.parts: dict[str, Float32Array] = rest_of
+        start = 0
+        for name, count in display.carried:
+            self.parts[name] = self._buffer.reshape(-1, 3)[start : start + count]
+            start += count
+        self.jaw: FloatArray = np.eye(4)
+
+    def pose(self, expression: Expression) -> None:
+        """Write the buffers for an expression; names without a field are ignored.
+
+        One changed weight costs one scaled addition of a field, more cost the product with the active fields.
+        """
+        weights = np.zeros_like(self._weights)
+        for name, weight in expression.items():
+            row = self.basis.index.get(name)
+            if row is not None:
+                weights[row] = weight
+        changed = np.flatnonzero(weights != self._weights)
+        if len(changed) == 0:
+            return
+        if len(changed) == 1 and self._increments < REFRESH_AFTER and weights.any():
+            self._increments += 1
+            step = float(weights[changed[0]] - self._weights[changed[0]])
+            self._add(int(changed[0]), step)
+        else:
+            self._increments = 0
+            self._sum(weights)
+        self._weights = weights
+        self._turn_normals()
+        self._turn_jaw()
+
+    def _add(self, row: int, weight: float) -> None:
+        saxpy(self.basis.fields[row], self._buffer, n=self._live, a=weight)
+        saxpy(self.basis.slopes[row], self._slopes, a=weight)
+
+    def _sum(self, weights: Float32Array) -> None:
+        self._buffer[: self._live] = self._rest
+        self._slopes[:] = self._rest_slopes
+        active = np.flatnonzero(weights)
+        if len(active) <= FEW * len(weights):
+            for row in active:
+                self._add(int(row), float(weights[row]))
+            return
+        for matrix, total in (
+            (self.basis.fields, self._buffer[: self._live]),
+            (self.basis.slopes, self._slopes),
+        ):
+            sgemv(1.0, matrix.T, weights, beta=1.0, y=total, overwrite_y=True)
+
+    def _turn_normals(self) -> None:
+        """Normals of the moving skin as the cross product of its slopes."""
+        ux, uy, uz, vx, vy, vz = self._slopes.reshape(6, -1)
+        normal = np.stack([uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx])
+        normal /= np.sqrt(np.einsum("ij,ij->j", normal, normal)) + SMALLEST_NORMAL
+        self.normals[: normal.shape[1]] = normal.T
+
+    def _turn_jaw(self) -> None:
+        degrees, slide = self._weights.astype(np.float64) @ self.basis.jaw
+        self.jaw = jaw_motion(self.face.skull.jaw, float(degrees), float(slide))
+        for part in self.face.parts:
+            if part.carrier == "jaw":
+                self.parts[part.name][:] = part.mesh.positions @ self.jaw[:3, :3].T + self.jaw[:3, 3]
