@@ -1,1 +1,55 @@
 """C1 finite elements on triangle meshes: arrays in, arrays out, no word of faces."""
+
+from fem.assembly import Assembler, Stiffness
+from fem.dofs import DofMap
+from fem.errors import FemError, SingularSystemError
+from fem.hct import Element, ShapeFunctions, shape_functions
+from fem.hct9 import HCT9
+from fem.hct12 import HCT12
+from fem.interpolate import interpolate_smoothly
+from fem.loads import corner_load_operator, load_operator, load_points, point_loads
+from fem.quadrature import TriangleRule, rule_of_degree
+from fem.sample import SampleOperators, Subdivision, sample_operators, subdivide
+from fem.springs import Foundation, PointSprings, SpringLayer, SpringSet
+from fem.supports import Support, Supports
+from fem.surface import ChartedSurface, edge_topology
+from fem.system import Progress, SurfaceSystem
+from fem.tensors import ElementTensors, Material, element_tensors, uniform_material
+
+__all__ = [
+    "HCT9",
+    "HCT12",
+    "Assembler",
+    "ChartedSurface",
+    "DofMap",
+    "Element",
+    "ElementTensors",
+    "FemError",
+    "Foundation",
+    "Material",
+    "PointSprings",
+    "Progress",
+    "SampleOperators",
+    "ShapeFunctions",
+    "SingularSystemError",
+    "SpringLayer",
+    "SpringSet",
+    "Stiffness",
+    "Subdivision",
+    "Support",
+    "Supports",
+    "SurfaceSystem",
+    "TriangleRule",
+    "corner_load_operator",
+    "edge_topology",
+    "element_tensors",
+    "interpolate_smoothly",
+    "load_operator",
+    "load_points",
+    "point_loads",
+    "rule_of_degree",
+    "sample_operators",
+    "shape_functions",
+    "subdivide",
+    "uniform_material",
+]

@@ -77,7 +77,7 @@ class Assembler:
         return self._summed(self.element_matrices(tensors, everything))
 
     def reassemble(self, stiffness: Stiffness, tensors: ElementTensors, touched: IntArray) -> Stiffness:
-        """Integrate only the `touched` triangles anew; equal to `assemble` when no other tensor has changed."""
+        """Integrate the `touched` triangles anew; equal to `assemble` when no other tensor has changed."""
         matrices = stiffness.element_matrices.copy()
         matrices[touched] = self.element_matrices(tensors, touched)
         return self._summed(matrices)
@@ -86,7 +86,8 @@ class Assembler:
         """Return (m, n, n) energy matrices of the given triangles."""
         if len(tensors.stretching) != self.surface.n_triangles:
             raise FemError(
-                f"The tensors have {len(tensors.stretching)} triangles, the surface {self.surface.n_triangles}."
+                f"There are tensors for {len(tensors.stretching)} triangles, "
+                f"the surface has {self.surface.n_triangles}."
             )
         quadrature = self.quadrature(STIFFNESS_DEGREE)
         size = self.dofs.element_dofs.shape[1]
@@ -120,7 +121,9 @@ def batches(count: int) -> Iterator[slice]:
         yield slice(start, min(start + BATCH, count))
 
 
-def _energy(rows: FloatArray, barycentric: FloatArray, corners: FloatArray, weights: FloatArray) -> FloatArray:
+def _energy(
+    rows: FloatArray, barycentric: FloatArray, corners: FloatArray, weights: FloatArray
+) -> FloatArray:
     """Return the sum over points of weight * rows^T form rows, symmetric to the last bit.
 
     Parameters

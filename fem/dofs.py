@@ -12,7 +12,8 @@ from fem.types import IntArray
 
 @dataclass(frozen=True, eq=False)
 class DofMap:
-    """Degrees of freedom: 3 i, 3 i + 1, 3 i + 2 are value, d/du, d/dv of vertex i; 3 N + e is the slope of edge e.
+    """Degrees of freedom: 3 i, 3 i + 1, 3 i + 2 are value, d/du, d/dv of vertex i; 3 N + e is the slope of
+    edge e.
 
     Parameters
     ----------

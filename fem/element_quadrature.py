@@ -52,8 +52,8 @@ class ElementQuadrature:
     def physical_derivatives(self, elements: IntArray) -> tuple[FloatArray, FloatArray]:
         """Return first and second derivatives in the isometric frame (s, t) of each triangle.
 
-        First derivatives pull back with J^T and second ones with J^T H J, where J = d(u, v)/d(s, t). Both are applied
-        to the barycentric coordinates, on which the parts are plain cubics.
+        First derivatives pull back with J^T and second ones with J^T H J, where J = d(u, v)/d(s, t). Both are
+        applied to the barycentric coordinates, on which the parts are plain cubics.
 
         Returns
         -------

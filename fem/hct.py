@@ -1,8 +1,9 @@
 """The Hsieh-Clough-Tocher split: three cubics on one triangle that meet with continuous slopes.
 
-The triangle is split at its barycentre S. Part k lies at edge k (opposite corner k) and has the corners
-(k + 1, k + 2, S), indices modulo 3; its cubic is held as ten Bernstein coefficients, each a linear function of the
-element's degrees of freedom. See Ciarlet, The Finite Element Method for Elliptic Problems (1978), section 6.1.
+The triangle is split at its barycentre S. Part k lies at edge k (opposite corner k) and has the corners (k +
+1, k + 2, S), indices modulo 3; its cubic is held as ten Bernstein coefficients, each a linear function of the
+element's degrees of freedom. See Ciarlet, The Finite Element Method for Elliptic Problems (1978), section
+6.1.
 """
 
 from dataclasses import dataclass
@@ -98,9 +99,8 @@ def parts_of(barycentric: FloatArray) -> tuple[IntArray, FloatArray]:
     barycentric
         (P, 3) barycentric coordinates in the triangle.
 
-    Returns
-    -------
-    (P,) parts, and (P, 3) barycentric coordinates within the part. On an edge between parts the first one is named.
+    Returns ------- (P,) parts, and (P, 3) barycentric coordinates within the part. On an edge between parts
+    the first one is named.
     """
     part = np.argmin(barycentric, axis=1)
     rows = np.arange(len(part))
@@ -137,8 +137,8 @@ def shape_functions(
     barycentric
         (P, 3) barycentric coordinates of each point in its triangle.
     parts
-        (P,) part whose cubic is evaluated; by default the part that holds the point. To name it matters only on
-        an edge between parts, where the second derivatives jump.
+        (P,) part whose cubic is evaluated; by default the part that holds the point. To name it matters only
+        on an edge between parts, where the second derivatives jump.
     """
     if parts is None:
         parts, mu = parts_of(barycentric)

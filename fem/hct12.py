@@ -1,7 +1,8 @@
 """The Hsieh-Clough-Tocher triangle with 12 degrees of freedom.
 
-Value, d/du and d/dv at each corner, and the slope along `ChartedSurface.edge_normals` at the middle of each edge.
-Local order: (w, w_u, w_v) of corners 0, 1, 2, then the normal slopes of edges 0, 1, 2. It contains all cubics.
+Value, d/du and d/dv at each corner, and the slope along `ChartedSurface.edge_normals` at the middle of each
+edge. Local order: (w, w_u, w_v) of corners 0, 1, 2, then the normal slopes of edges 0, 1, 2. It contains all
+cubics.
 """
 
 from dataclasses import dataclass
@@ -23,8 +24,8 @@ class Hct12:
     def coefficients(self, surface: ChartedSurface) -> FloatArray:
         """Return (T, 3, 10, 12) Bernstein coefficients of each part per local degree of freedom.
 
-        Continuous slopes across the inner edges make every ordinate next to the barycentre the mean of its three
-        neighbours (Farin, Curves and Surfaces for CAGD, section on Clough-Tocher interpolants).
+        Continuous slopes across the inner edges make every ordinate next to the barycentre the mean of its
+        three neighbours (Farin, Curves and Surfaces for CAGD, section on Clough-Tocher interpolants).
         """
         result = np.zeros((surface.n_triangles, 3, 10, 12))
         uv = surface.chart[surface.triangles]
@@ -43,7 +44,7 @@ class Hct12:
 
 
 def _ordinate(uv: FloatArray, corner: int, target: FloatArray) -> FloatArray:
-    """Return (T, 12) the ordinate one third of the way from `corner` to `target`: w + slope . (target - corner) / 3."""
+    """Return (T, 12) w + slope . (target - corner) / 3: the ordinate a third of the way to `target`."""
     ordinate = np.zeros((len(uv), 12))
     ordinate[:, 3 * corner] = 1.0
     ordinate[:, 3 * corner + 1 : 3 * corner + 3] = (target - uv[:, corner]) / 3.0
@@ -53,8 +54,8 @@ def _ordinate(uv: FloatArray, corner: int, target: FloatArray) -> FloatArray:
 def _fill_middle(result: FloatArray, surface: ChartedSurface) -> None:
     """Set the ordinate in the middle of each part so that the mid-edge normal slope is its degree of freedom.
 
-    The normal slope along the edge is a quadratic with the Bernstein ordinates 3 q20, 3 q11, 3 q02; at the middle it
-    is 3 (q20 + 2 q11 + q02) / 4, and q11 alone holds the ordinate sought.
+    The normal slope along the edge is a quadratic with the Bernstein ordinates 3 q20, 3 q11, 3 q02; at the
+    middle it is 3 (q20 + 2 q11 + q02) / 4, and q11 alone holds the ordinate sought.
     """
     normals = surface.edge_normals[surface.triangle_edges]
     along = np.einsum("tpcd,tpd->tpc", part_gradients(surface.chart_gradients), normals)[..., None]

@@ -21,7 +21,7 @@ class Hct9:
     dofs_per_edge: int = 0
 
     def coefficients(self, surface: ChartedSurface) -> FloatArray:
-        """Return (T, 3, 10, 9) coefficients: those of HCT-12 with each mid-edge slope the mean of its two ends."""
+        """Return (T, 3, 10, 9): the coefficients of HCT-12, each mid-edge slope the mean of its two ends."""
         full = HCT12.coefficients(surface)
         normals = surface.edge_normals[surface.triangle_edges]
         slopes = np.zeros((surface.n_triangles, 3, 9))

@@ -1,7 +1,7 @@
 """Consistent loads: F = integral of Phi^T f over the true surface.
 
-A load is a force per area f in N/mm^2 on the skin. Given linear in every triangle, it turns into degrees of freedom by
-one sparse product, so that hundreds of loads cost no loop.
+A load is a force per area f in N/mm^2 on the skin. Given linear in every triangle, it turns into degrees of
+freedom by one sparse product, so that hundreds of loads cost no loop.
 """
 
 import numpy as np

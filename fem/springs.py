@@ -1,8 +1,9 @@
 """Springs between the surface and what lies below it, each with its own direction.
 
-A spring of axial stiffness c along the unit vector d adds c d d^T to the three coordinates of its vertex, and when its
-anchor moves by delta it loads the vertex with c d d^T delta. Summed per vertex, that is a 3 x 3 block and a force. The
-blocks act in one of two ways behind the same interface: concentrated at the vertices, or spread over the surface.
+A spring of axial stiffness c along the unit vector d adds c d d^T to the three coordinates of its vertex, and
+when its anchor moves by delta it loads the vertex with c d d^T delta. Summed per vertex, that is a 3 x 3
+block and a force. The blocks act in one of two ways behind the same interface: concentrated at the vertices,
+or spread over the surface.
 """
 
 from dataclasses import dataclass
@@ -157,7 +158,7 @@ class Foundation:
 
 
 def _corner_masses(assembler: Assembler, elements: IntArray) -> FloatArray:
-    """Return (m, 3, n, n) integrals of Phi^T lambda_c Phi, lambda_c the barycentric coordinate of corner c."""
+    """Return (m, 3, n, n) integrals of Phi^T lambda_c Phi, lambda_c the coordinate of corner c."""
     quadrature = assembler.quadrature(FOUNDATION_DEGREE)
     weights = assembler.surface.areas[elements, None] * quadrature.weights
     shapes = quadrature.values(elements)
@@ -182,7 +183,7 @@ def _block_matrix(entries: list[csc_array]) -> csc_array:
 def _check_blocks(blocks: FloatArray) -> None:
     if blocks.ndim != 3 or blocks.shape[1:] != (3, 3):
         raise FemError(f"Spring blocks must be (N, 3, 3), not {blocks.shape}.")
-    finite = np.isfinite(blocks).all(axis=(1, 2))
+    finite = np.asarray(np.isfinite(blocks).all(axis=(1, 2)))
     safe = np.where(finite[:, None, None], blocks, 0.0)
     limit = BLOCK_TOLERANCE * np.abs(safe).max(axis=(1, 2))
     skew = np.abs(safe - np.swapaxes(safe, 1, 2)).max(axis=(1, 2))
@@ -194,4 +195,6 @@ def _check_blocks(blocks: FloatArray) -> None:
 
 def _check_count(count: int, assembler: Assembler) -> None:
     if count != assembler.surface.n_vertices:
-        raise FemError(f"There are springs for {count} vertices, the surface has {assembler.surface.n_vertices}.")
+        raise FemError(
+            f"There are springs for {count} vertices, the surface has {assembler.surface.n_vertices}."
+        )

@@ -8,8 +8,8 @@ import numpy as np
 from fem.errors import FemError
 from fem.types import BoolArray, FloatArray, IntArray
 
-# A triangle counts as degenerate when its area is below this share of its longest edge squared. The slopes
-# of its shape functions grow with the inverse of that share, so less would spend over ten of the sixteen digits.
+# A triangle counts as degenerate when its area is below this share of its longest edge squared. The slopes of
+# its shape functions grow with the inverse of that share, so less would spend over ten of the sixteen digits.
 DEGENERATE_SHARE = 1e-10
 NAMED_TRIANGLES = 5
 
@@ -70,7 +70,8 @@ class ChartedSurface:
         if len(bad):
             raise FemError(
                 f"{len(bad)} of {len(self.triangles)} triangles are flipped or degenerate in the chart "
-                f"(first: {bad[:NAMED_TRIANGLES].tolist()}); the chart must be bijective and counter-clockwise."
+                f"(first: {bad[:NAMED_TRIANGLES].tolist()}); "
+                "it must be bijective and counter-clockwise."
             )
         limit = DEGENERATE_SHARE * _longest_edge_squared(self.positions[self.triangles])
         bad = np.flatnonzero(~(self.areas > limit))
@@ -100,22 +101,18 @@ class ChartedSurface:
         return len(self.triangles)
 
     @cached_property
-    def _edges_and_users(self) -> tuple[IntArray, IntArray]:
-        corners = self.triangles[:, [[1, 2], [2, 0], [0, 1]]]
-        pairs = np.sort(corners.reshape(-1, 2), axis=1)
-        keys, users = np.unique(pairs[:, 0] * self.n_vertices + pairs[:, 1], return_inverse=True)
-        edges = np.stack([keys // self.n_vertices, keys % self.n_vertices], axis=1)
-        return edges, users.reshape(-1, 3).astype(np.int64)
+    def _edge_topology(self) -> tuple[IntArray, IntArray]:
+        return edge_topology(self.triangles)
 
     @property
     def edges(self) -> IntArray:
         """(E, 2) vertex pairs, each with the lower index first, sorted."""
-        return self._edges_and_users[0]
+        return self._edge_topology[0]
 
     @property
     def triangle_edges(self) -> IntArray:
         """(T, 3) edges of each triangle; edge k lies opposite corner k."""
-        return self._edges_and_users[1]
+        return self._edge_topology[1]
 
     @cached_property
     def is_boundary_edge(self) -> BoolArray:
@@ -167,7 +164,7 @@ class ChartedSurface:
 
     @cached_property
     def frames(self) -> FloatArray:
-        """(T, 2, 3) isometric frame of each triangle's plane: the orthonormal vectors s (along its first edge) and t."""
+        """(T, 2, 3) frame of each triangle's plane: orthonormal s, along its first edge, and t."""
         first = self.positions[self.triangles[:, 1]] - self.positions[self.triangles[:, 0]]
         s = first / np.linalg.norm(first, axis=1, keepdims=True)
         return np.stack([s, np.cross(self.normals, s)], axis=1)
@@ -196,3 +193,21 @@ def _frozen_floats(values: FloatArray, width: int, name: str) -> FloatArray:
 def _longest_edge_squared(corners: FloatArray) -> FloatArray:
     edges = np.roll(corners, -1, axis=1) - corners
     return np.asarray((edges**2).sum(axis=2).max(axis=1))
+
+
+def edge_topology(triangles: IntArray) -> tuple[IntArray, IntArray]:
+    """Find the edges of a triangulation.
+
+    Parameters
+    ----------
+    triangles
+        (T, 3) vertex indices.
+
+    Returns ------- (E, 2) edges, each with the lower index first, sorted; and (T, 3) edges of each triangle,
+    edge k opposite corner k.
+    """
+    pairs = np.sort(triangles[:, [[1, 2], [2, 0], [0, 1]]].reshape(-1, 2), axis=1)
+    base = int(triangles.max()) + 1
+    keys, users = np.unique(pairs[:, 0] * base + pairs[:, 1], return_inverse=True)
+    edges = np.stack([keys // base, keys % base], axis=1)
+    return edges, users.reshape(-1, 3).astype(np.int64)

@@ -4,8 +4,8 @@ The energy of one coordinate w of the displacement is, with (1, 2) along and acr
 
     integral of a1 w_1^2 + a2 w_2^2 + b11 w_11^2 + b22 w_22^2 + 2 b12 w_12^2 - 2 f w  over the true surface.
 
-In the plane (s, t) of a triangle the stretching is a full symmetric 2 x 2 form in (w_s, w_t), and the bending a full
-symmetric 3 x 3 form in (w_ss, w_tt, w_st).
+In the plane (s, t) of a triangle the stretching is a full symmetric 2 x 2 form in (w_s, w_t), and the bending
+a full symmetric 3 x 3 form in (w_ss, w_tt, w_st).
 """
 
 from dataclasses import dataclass
@@ -29,8 +29,8 @@ class Material:
     Parameters
     ----------
     direction
-        (N, 3) world vectors of any length; projected onto each triangle's plane. Where one is parallel to the normal,
-        or zero, the first edge of the triangle stands in.
+        (N, 3) world vectors of any length; projected onto each triangle's plane. Where one is parallel to the
+        normal, or zero, the first edge of the triangle stands in.
     stretching
         (N, 2) stiffness along and across the direction, not negative.
     bending
@@ -56,7 +56,9 @@ class Material:
             bad = np.flatnonzero(~allowed.all(axis=1))
             if len(bad):
                 rule = "finite" if name == "direction" else "finite and not negative"
-                raise FemError(f"The {name} of vertex {bad[0]} is {array[bad[0]].tolist()}; it must be {rule}.")
+                raise FemError(
+                    f"The {name} of vertex {bad[0]} is {array[bad[0]].tolist()}; it must be {rule}."
+                )
             array.setflags(write=False)
             object.__setattr__(self, name, array)
 
@@ -95,7 +97,7 @@ class ElementTensors:
 
 
 def _semidefinite(forms: FloatArray) -> FloatArray:
-    finite = np.isfinite(forms).all(axis=(-2, -1))
+    finite = np.asarray(np.isfinite(forms).all(axis=(-2, -1)))
     safe = np.where(finite[..., None, None], forms, 0.0)
     size = np.abs(safe).max(axis=(-2, -1))
     skew = np.abs(safe - np.swapaxes(safe, -2, -1)).max(axis=(-2, -1))
@@ -122,12 +124,14 @@ def element_tensors(surface: ChartedSurface, material: Material) -> ElementTenso
     """
     if len(material.direction) != surface.n_vertices:
         raise FemError(
-            f"The material has {len(material.direction)} vertices, the surface {surface.n_vertices}; they must agree."
+            f"The material has {len(material.direction)} vertices, the surface {surface.n_vertices}."
         )
     cosine, sine = _angles(surface, material.direction[surface.triangles])
     stretching = material.stretching[surface.triangles]
     bending = material.bending[surface.triangles]
-    return ElementTensors(_turned_stretching(cosine, sine, stretching), _turned_bending(cosine, sine, bending))
+    return ElementTensors(
+        _turned_stretching(cosine, sine, stretching), _turned_bending(cosine, sine, bending)
+    )
 
 
 def _angles(surface: ChartedSurface, direction: FloatArray) -> tuple[FloatArray, FloatArray]:

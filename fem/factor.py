@@ -1,0 +1,96 @@
+"""Sparse factorisation of a symmetric positive definite matrix, checked once and then reused."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import csc_array, diags_array
+from scipy.sparse.linalg import SuperLU, splu
+
+from fem.types import FloatArray, IntArray
+
+# A known solution must come back to this accuracy, each unknown measured by the root of its diagonal entry.
+# Sound systems return it to 1e-7 or better, loose ones miss it altogether.
+PROBE_TOLERANCE = 1e-3
+# Share of the diagonal added to a loose matrix so that it can be factorised to find how it moves.
+LOOSE_SHIFT = 1e-9
+LOOSE_ITERATIONS = 3
+_SEED = 1998
+
+
+class LooseMatrixError(ArithmeticError):
+    """The matrix is singular to working accuracy.
+
+    Parameters
+    ----------
+    motion
+        (n,) size of each unknown in the motion that costs no energy, at most 1.
+    """
+
+    def __init__(self, motion: FloatArray) -> None:
+        super().__init__("The matrix is singular to working accuracy.")
+        self.motion = motion
+
+
+@dataclass(frozen=True, eq=False)
+class Factor:
+    """The factors of a matrix.
+
+    Parameters
+    ----------
+    lu
+        SuperLU factors in an ordering for symmetric patterns.
+    """
+
+    lu: SuperLU
+
+    def solve(self, right_hand_sides: FloatArray) -> FloatArray:
+        """Return the (n, k) solutions for (n, k) right-hand sides."""
+        return np.asarray(self.lu.solve(np.asfortranarray(right_hand_sides)), dtype=np.float64)
+
+
+def factorise(matrix: csc_array) -> Factor:
+    """Factorise an (n, n) symmetric positive definite matrix.
+
+    Symmetric minimum degree without pivoting: five times faster here than the default ordering of SciPy.
+
+    Raises
+    ------
+    LooseMatrixError
+        If it is singular, exactly or to working accuracy.
+    """
+    diagonal = np.asarray(matrix.diagonal(), dtype=np.float64)
+    if not np.all(diagonal > 0.0):
+        raise LooseMatrixError((~(diagonal > 0.0)).astype(np.float64))
+    try:
+        factor = Factor(_lu(matrix))
+    except RuntimeError as error:
+        raise LooseMatrixError(_loose_motion(matrix, diagonal)) from error
+    scale = np.sqrt(diagonal)
+    known = np.random.default_rng(_SEED).choice([-1.0, 1.0], len(scale)) / scale
+    returned = factor.solve(np.asarray(matrix @ known)[:, None])[:, 0]
+    if not np.all(np.abs(returned - known) * scale < PROBE_TOLERANCE):
+        raise LooseMatrixError(_loose_motion(matrix, diagonal))
+    return factor
+
+
+def _lu(matrix: csc_array) -> SuperLU:
+    return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+
+
+def _loose_motion(matrix: csc_array, diagonal: FloatArray) -> FloatArray:
+    """Find the motion of least energy by inverse iteration on the matrix with a slightly raised diagonal."""
+    scale = np.sqrt(diagonal)
+    shifted = _lu(csc_array(matrix + diags_array(LOOSE_SHIFT * diagonal)))
+    motion = np.random.default_rng(_SEED).standard_normal(len(scale))
+    for _ in range(LOOSE_ITERATIONS):
+        motion = shifted.solve(motion * scale) * scale
+        motion /= np.abs(motion).max()
+    return np.asarray(np.abs(motion))
+
+
+def loosest(motion: FloatArray, owner: IntArray) -> IntArray:
+    """Return the owners of the unknowns that move at least half as far as the farthest, that one first."""
+    order = np.argsort(-motion, kind="stable")
+    chosen = owner[order[motion[order] >= 0.5 * motion.max()]]
+    _, first = np.unique(chosen, return_index=True)
+    return np.asarray(chosen[np.sort(first)], dtype=np.int64)
