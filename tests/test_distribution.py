@@ -1,6 +1,5 @@
 """What a user installs is all of Risorius."""
 
-import subprocess
 import zipfile
 from pathlib import Path
 
@@ -18,12 +17,10 @@ def wheel(tmp_path_factory: pytest.TempPathFactory, repository: Path) -> zipfile
 
 
 def test_every_file_of_the_packages_is_in_the_wheel(wheel: zipfile.ZipFile, repository: Path) -> None:
-    listed = subprocess.run(
-        ["git", "ls-files", "-z", *PACKAGES], cwd=repository, capture_output=True, text=True, check=True
-    )
-    tracked = {name for name in listed.stdout.split("\0") if name and (repository / name).exists()}
-    assert tracked
-    assert tracked <= set(wheel.namelist())
+    files = (path for package in PACKAGES for path in (repository / package).rglob("*") if path.is_file())
+    names = {path.relative_to(repository).as_posix() for path in files if "__pycache__" not in path.parts}
+    assert names
+    assert names - set(wheel.namelist()) == set()
 
 
 def test_the_wheel_has_the_command_and_the_licence(wheel: zipfile.ZipFile) -> None:
