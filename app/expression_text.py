@@ -1,0 +1,51 @@
+"""Expressions as text, to be copied and pasted: ``12L=0.8 12R=0.8 17=0.25``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from app.arithmetic import evaluate
+from app.errors import NumberError
+from facemodel.actions import ActionUnit, Expression, field_names, resolve
+
+NEUTRAL = "neutral"
+PAIR = re.compile(r"\s*([^=]+?)\s*[=:]\s*([^\s;=]+?)(?:[\s;]+|,(?=\s|$)|$)")
+
+
+def format_expression(expression: Expression, units: Sequence[ActionUnit]) -> str:
+    """The weights in the order of the units, so exact that `parse_expression` returns the same; ``neutral`` if none."""
+    order = {name: place for place, name in enumerate(field_names(units))}
+    active = sorted(
+        (name for name in expression if expression[name] != 0), key=lambda n: order.get(n, len(order))
+    )
+    return " ".join(f"{name}={expression[name]!r}" for name in active) or NEUTRAL
+
+
+def parse_expression(text: str, units: Sequence[ActionUnit]) -> dict[str, float]:
+    """Weights by field from pairs such as ``12=0.8``, ``AU1L=50%`` or ``lip corner puller R = 1/2``.
+
+    Pairs are separated by white space, semicolons or commas; a later one overrides an earlier one.
+
+    Raises
+    ------
+    UnknownNameError
+        If a name is no action unit.
+    NumberError
+        If a weight is no number, or the text is not made of such pairs.
+    """
+    if text.strip().lower() == NEUTRAL:
+        return {}
+    weights: dict[str, float] = {}
+    place = 0
+    while text[place:].strip():
+        pair = PAIR.match(text, place)
+        if pair is None:
+            shown = " ".join(text[place:].split())[:30]
+            raise NumberError(f"“{shown}” is no expression; write pairs such as 12=0.8 1L=50%.")
+        for name in resolve(pair[1], units):
+            weights[name] = evaluate(pair[2])
+        place = pair.end()
+    if not weights:
+        raise NumberError("There is no expression in the text; write pairs such as 12=0.8 1L=50%.")
+    return weights
