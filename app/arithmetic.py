@@ -16,7 +16,7 @@ SPELLINGS = str.maketrans({"−": "-", "–": "-", "×": "*", "·": "*", "÷": "
 
 
 def evaluate(text: str) -> float:
-    """Value of numbers joined by ``+ - * /``, parentheses and a trailing ``%``; a comma may be the decimal mark.
+    """Value of numbers joined by ``+ - * /``, parentheses and a trailing ``%``; ``0,5`` is ``0.5``.
 
     Raises
     ------

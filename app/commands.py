@@ -1,7 +1,7 @@
 """Commands: what is done to a project and undone, as frozen values.
 
-A command holds the difference and nothing else.  ``do`` and ``undo`` are pure: they make another project of the
-one they are given.
+A command holds the difference and nothing else.  ``do`` and ``undo`` are pure: they make another project
+of the one they are given.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Command(Protocol):
         """The project as it was; takes what `do` gave."""
 
     def joined(self, later: Command) -> Command | None:
-        """This and a later command as one step, or none where each is a step of its own."""
+        """Both this and a later command as one step, or none where each is a step of its own."""
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ def _changed(expression: Expression, delta: Delta) -> dict[str, float]:
 
 
 def _named(moved: list[str], units: tuple[ActionUnit, ...]) -> str:
-    """What to call a change of these fields: the unit's name where there is one, with its side where one moved."""
+    """What to call a change of these fields: the one unit's name, with its side if only one moved."""
     if not moved:
         return "Expression"
     touched = [unit for unit in units if any(name in unit.fields for name in moved)]

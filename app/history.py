@@ -59,8 +59,8 @@ class History:
     def push(self, command: Command) -> None:
         """Remember a step that was done; what was undone before is forgotten.
 
-        A step that belongs to the gesture of the last one becomes one with it, and vanishes if both together do
-        nothing.  The saved state is never joined away.
+        A step that belongs to the gesture of the last one becomes one with it, and vanishes if both together
+        do nothing.  The saved state is never joined away.
         """
         if self._saved is not None and self._saved > len(self._done):
             self._saved = None

@@ -43,7 +43,7 @@ def with_weights(expression: Expression, weights: Expression) -> dict[str, float
 
 
 def whole_expression(expression: Expression, project: Project) -> dict[str, float]:
-    """A weight for every field, zero for those the expression does not name: it replaces any other expression."""
+    """A weight for every field, zero for those not named, so that it replaces any other expression."""
     neutral = dict.fromkeys((*project.expression, *field_names(project.units)), 0.0)
     return {**neutral, **expression}
 

@@ -1,0 +1,214 @@
+"""The document: the one mutable owner of a project, its file, its history and its solution."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from psygnal import Signal
+
+from app.commands import Command, set_weights
+from app.differences import same_but_expression, same_content, same_solution
+from app.history import History
+from app.weights import checked_weights, emotion_weights, whole_expression, with_weights
+from facemodel.actions import Expression
+from facemodel.project import Project
+
+if TYPE_CHECKING:
+    from facemodel.solve import Solution
+
+
+class Document:
+    """A project in hand.  Everything that changes it goes through here; everyone who shows it listens.
+
+    All signals of one intent are emitted after the whole state is settled.  Intents belong to one thread.
+    Weights that are held (`preview`) when another intent comes are committed first: nothing seen is lost.
+
+    Parameters
+    ----------
+    project : what to start with
+    path : the file it came from, if any
+
+    Raises
+    ------
+    RisoriusError
+        By any intent that is given what cannot be done; the document is then as it was before.
+    """
+
+    project_changed = Signal(object)
+    """(Project) another face, atlas or basis settings: everything drawn is to be made anew."""
+    expression_changed = Signal(object)
+    """(Expression) what is to be shown now, `shown`."""
+    solution_changed = Signal(object)
+    """(Solution | None) another basis, or none, or the one there is has become stale or fresh."""
+    history_changed = Signal()
+    """Other steps to undo or redo."""
+    saved_changed = Signal()
+    """`path` or `dirty` may be different."""
+
+    def __init__(self, project: Project, path: Path | None = None) -> None:
+        self._project = project
+        self._saved = project
+        self._path = path
+        self._history = History()
+        self._held: dict[str, float] = {}
+        self._shown: Expression = project.expression
+        self._solution: Solution | None = None
+        self._solved: Project | None = None
+
+    @property
+    def project(self) -> Project:
+        """What would be saved."""
+        return self._project
+
+    @property
+    def path(self) -> Path | None:
+        """The file it was read from or last written to."""
+        return self._path
+
+    @property
+    def name(self) -> str:
+        """What people call it: its file's name, or that it has none yet."""
+        return self._path.stem if self._path else f"Untitled ({self._project.face.title})"
+
+    @property
+    def history(self) -> History:
+        """Steps that can be undone and redone; to be read."""
+        return self._history
+
+    @property
+    def dirty(self) -> bool:
+        """Whether it differs from what was last saved, read or begun."""
+        return not self._history.at_saved and not same_content(self._project, self._saved)
+
+    @property
+    def shown(self) -> Expression:
+        """The expression to draw: with the weights that are held, else the project's own."""
+        return self._shown
+
+    @property
+    def held(self) -> bool:
+        """Whether weights are held that are not committed."""
+        return bool(self._held)
+
+    @property
+    def solution(self) -> Solution | None:
+        """The last solution for this face, even if `stale`; the last good face stays on the screen."""
+        return self._solution
+
+    @property
+    def stale(self) -> bool:
+        """Whether the project has to be solved: it never was, or muscles, units or settings changed since."""
+        return self._solved is None or not same_solution(self._solved, self._project)
+
+    def preview(self, weights: Mapping[str, float]) -> None:
+        """Show other weights without a step to undo; further calls add to those that are held."""
+        self._held.update(checked_weights(weights, self._project))
+        self._show(with_weights(self._project.expression, self._held))
+
+    def commit(self, label: str = "") -> None:
+        """Make the held weights one step to undo; nothing if there are none or they change nothing."""
+        held, self._held = self._held, {}
+        self._do(set_weights(self._project, held, label))
+
+    def cancel_preview(self) -> None:
+        """Let go of the held weights; what was committed last is shown again."""
+        self._held = {}
+        self._show(self._project.expression)
+
+    def run(self, command: Command) -> None:
+        """Do a command and remember it."""
+        self.commit()
+        self._do(command)
+
+    def undo(self) -> None:
+        """Take the last step back; nothing if there is none."""
+        self.commit()
+        step = self._history.to_undo
+        if step is not None:
+            project = step.undo(self._project)
+            self._history.step_back()
+            self._become(project)
+
+    def redo(self) -> None:
+        """Do the last undone step again; nothing if there is none."""
+        self.commit()
+        step = self._history.to_redo
+        if step is not None:
+            project = step.do(self._project)
+            self._history.step_forth()
+            self._become(project)
+
+    def set_weights(self, weights: Mapping[str, float], label: str = "", gesture: str = "") -> None:
+        """Give some units other weights, in one step.
+
+        Parameters
+        ----------
+        weights : by any name that `facemodel.actions.resolve` knows
+        label : what the step is called; the unit's name if empty
+        gesture : consecutive steps with the same gesture, such as nudges of one field, become one
+        """
+        checked = checked_weights(weights, self._project)
+        self.commit()
+        self._do(set_weights(self._project, checked, label, gesture))
+
+    def set_expression(self, weights: Mapping[str, float], label: str) -> None:
+        """Put an expression in the place of the one there is, in one step."""
+        checked = checked_weights(weights, self._project)
+        self.commit()
+        self._do(set_weights(self._project, whole_expression(checked, self._project), label))
+
+    def apply_emotion(self, name: str, strength: float = 1.0) -> None:
+        """Show an emotion and nothing else, in one step."""
+        weights = emotion_weights(name, strength, self._project)
+        self.commit()
+        self._do(set_weights(self._project, weights, f"{name.capitalize()} {strength:.0%}"))
+
+    def reset_expression(self) -> None:
+        """All weights to zero, in one step."""
+        self.set_expression({}, "Neutral face")
+
+    def accept(self, solution: Solution, solved: Project) -> None:
+        """Take the solution of a snapshot; one of another face, or of an outdated project, is dropped."""
+        if not same_solution(solved, self._project):
+            return
+        self._solution, self._solved = solution, solved
+        self.solution_changed.emit(solution)
+
+    def _do(self, command: Command) -> None:
+        if not command.changes:
+            self._show(self._project.expression)
+            return
+        project = command.do(self._project)
+        self._history.push(command)
+        self._become(project)
+
+    def _begin(self, project: Project, path: Path | None) -> None:
+        self._history = History()
+        self._held = {}
+        self._saved, self._path = project, path
+        self._become(project)
+
+    def _become(self, project: Project) -> None:
+        """Take another state of the project and tell everyone what is different."""
+        before, solution, was_stale = self._project, self._solution, self.stale
+        self._project = project
+        if before.face is not project.face:
+            self._solution, self._solved = None, None
+        solution_moved = self._solution is not solution or self.stale != was_stale
+        if same_but_expression(before, project):
+            self._show(project.expression)
+        else:
+            self._shown = project.expression
+            self.project_changed.emit(project)
+            if solution_moved:
+                self.solution_changed.emit(self._solution)
+            self.expression_changed.emit(self._shown)
+        self.history_changed.emit()
+        self.saved_changed.emit()
+
+    def _show(self, expression: Expression) -> None:
+        if expression != self._shown:
+            self._shown = expression
+            self.expression_changed.emit(expression)
