@@ -1,0 +1,1 @@
+"""File formats: projects, faces and exports."""

@@ -1,0 +1,115 @@
+"""Read and replace whole files safely: a reader is never surprised, a failed write leaves the old file."""
+
+from __future__ import annotations
+
+import errno
+import os
+import secrets
+import shutil
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import BinaryIO
+
+from facemodel.errors import ProjectError
+from facemodel.io.damage import disk_sentence
+
+UNSYNCABLE = {errno.EINVAL, errno.ENOTSUP, errno.EACCES, errno.EBADF}
+"""Errors of file systems that cannot flush a folder; the file itself has been flushed by then."""
+
+
+def read_file(path: Path, limit: int) -> bytes:
+    """All bytes of a regular file of at most ``limit`` bytes.
+
+    Raises
+    ------
+    ProjectError
+        If it is missing, not a regular file (reading a pipe could wait for ever), unreadable or larger.
+    """
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise ProjectError(f"“{path}” cannot be opened: it is {_kind(status)}; choose a file.")
+        if status.st_size > limit:
+            raise ProjectError(
+                f"“{path}” cannot be opened: it has {status.st_size / 2**20:.0f} MiB and at most "
+                f"{limit / 2**20:.0f} MiB are read; choose a Risorius file."
+            )
+        return path.read_bytes()
+    except (OSError, ValueError) as error:
+        raise ProjectError(disk_sentence(path, "opened", error)) from error
+
+
+@contextmanager
+def replacing(path: Path) -> Iterator[BinaryIO]:
+    """A stream whose bytes become the file at ``path`` only when all of them are on the disk.
+
+    The bytes go into a new file in the same folder, are flushed to the disk, and that file then takes the
+    name.  A link is followed, so that it goes on pointing at the file.  On failure the new file is removed
+    and the previous one stays as it was.
+
+    Raises
+    ------
+    ProjectError
+        If the folder is missing or not writable, the name belongs to a folder or device, or the disk is full.
+    """
+    try:
+        target = Path(os.path.realpath(path))
+        _check_target(path, target)
+        fresh = target.with_name(f".risorius-{secrets.token_hex(8)}.tmp")
+        stream = open(fresh, "xb")  # noqa: SIM115 - closed below, before it takes the name
+    except (OSError, ValueError) as error:
+        raise ProjectError(disk_sentence(path, "saved", error)) from error
+    try:
+        with stream:
+            yield stream
+            stream.flush()
+            os.fsync(stream.fileno())
+        if target.exists():
+            shutil.copymode(target, fresh)
+        os.replace(fresh, target)
+    except OSError as error:
+        fresh.unlink(missing_ok=True)
+        raise ProjectError(disk_sentence(path, "saved", error)) from error
+    except BaseException:
+        fresh.unlink(missing_ok=True)
+        raise
+    _sync_folder(target.parent)
+
+
+def _check_target(path: Path, target: Path) -> None:
+    if not target.parent.is_dir():
+        raise ProjectError(
+            f"“{path}” cannot be saved: there is no folder “{target.parent}”; create it or choose another."
+        )
+    if target.is_symlink():
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
+    if not target.exists():
+        return
+    status = target.stat()
+    if not stat.S_ISREG(status.st_mode):
+        raise ProjectError(f"“{path}” cannot be saved: it is {_kind(status)}; choose another name.")
+    if not os.access(target, os.W_OK):
+        raise ProjectError(
+            f"“{path}” cannot be saved: the file is write-protected; choose another name or allow writing."
+        )
+
+
+def _kind(status: os.stat_result) -> str:
+    return "a folder" if stat.S_ISDIR(status.st_mode) else "a device or a pipe"
+
+
+def _sync_folder(folder: Path) -> None:
+    """Flush the folder, so that the new name survives a power cut; Windows has no such call."""
+    if os.name == "nt":
+        return
+    try:
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+    except OSError as error:
+        if error.errno not in UNSYNCABLE:
+            raise ProjectError(disk_sentence(folder, "flushed", error)) from error

@@ -1,0 +1,196 @@
+"""The arrays of a face as members of an archive, and back with every shape, index and range checked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facemodel.face import Eye, Face, Jaw, Layers, Part, Skull
+from facemodel.io.damage import DamageError
+from facemodel.io.members import Members
+from facemodel.io.schema import EyeRecord, FaceRecord, JawRecord, PartRecord, Point
+from facemodel.mesh import Mesh
+from fem.supports import Support
+from fem.types import FloatArray
+
+LARGEST_COORDINATE = 1e5
+"""Millimetres; a hundred metres is no head."""
+
+LARGEST_STIFFNESS = 1e9
+SHARES_SUM_TO_ONE = 1e-3
+"""Rows of shares are normalised; stored in single precision they may miss one by this much."""
+
+
+def face_arrays(face: Face) -> dict[str, NDArray[Any]]:
+    """All arrays of a face by member name; indices as 32-bit integers."""
+    skin, skull, layers = face.skin, face.skull, face.layers
+    arrays: dict[str, NDArray[Any]] = {
+        **_mesh_arrays("face/skin", skin),
+        "face/skin/solved": face.solved.astype(np.bool_),
+        "face/skin/uv": face.uv,
+        "face/skin/mirror": face.mirror.astype(np.int32),
+        "face/skin/chart": face.chart,
+        **_mesh_arrays("face/skull/cranium", skull.cranium),
+        **_mesh_arrays("face/skull/mandible", skull.mandible),
+        "face/skull/anchors": skull.anchors,
+        "face/skull/jawbone": skull.jawbone,
+        "face/layers/direction": layers.direction,
+        "face/layers/stretching": layers.stretching,
+        "face/layers/bending": layers.bending,
+        "face/layers/stiffness": layers.stiffness,
+        "face/layers/supports": layers.supports.astype(np.int8),
+    }
+    for number, part in enumerate(face.parts):
+        place = f"face/parts/{number}"
+        arrays |= _mesh_arrays(place, part.mesh)
+        arrays[f"{place}/anchors"] = part.anchors.astype(np.int32)
+        arrays[f"{place}/shares"] = part.shares
+    return arrays
+
+
+def _mesh_arrays(place: str, mesh: Mesh) -> dict[str, NDArray[Any]]:
+    return {f"{place}/positions": mesh.positions, f"{place}/triangles": mesh.triangles.astype(np.int32)}
+
+
+def face_record(face: Face) -> FaceRecord:
+    """The readable part of a face.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        If a value is out of its range.
+    """
+    return FaceRecord(
+        key=face.key,
+        title=face.title,
+        provenance=face.provenance,
+        landmarks={name: int(vertex) for name, vertex in face.landmarks.items()},
+        eyes=(_eye_record(face.eyes[0]), _eye_record(face.eyes[1])),
+        jaw=JawRecord(
+            axis=(as_point(face.skull.jaw.axis[0]), as_point(face.skull.jaw.axis[1])),
+            teeth=as_point(face.skull.jaw.teeth),
+        ),
+        parts=tuple(PartRecord(name=part.name, kind=part.kind, carrier=part.carrier) for part in face.parts),
+    )
+
+
+def _eye_record(eye: Eye) -> EyeRecord:
+    return EyeRecord(side=eye.side, centre=as_point(eye.centre), radius=float(eye.radius))
+
+
+def as_point(vector: FloatArray) -> Point:
+    """A vector (3,) as three plain numbers."""
+    x, y, z = vector
+    return float(x), float(y), float(z)
+
+
+def face_of(record: FaceRecord, arrays: Mapping[str, NDArray[Any]], member: str) -> Face:
+    """A face from its readable part and its arrays.
+
+    Parameters
+    ----------
+    record : the readable part
+    arrays : the arrays by member name
+    member : the name of the document, for errors
+
+    Raises
+    ------
+    DamageError
+        If an array is missing, left over, of another shape than the others, or out of range.
+    """
+    members = Members(arrays)
+    skin = _mesh(members, "face/skin")
+    count = len(skin.positions)
+    face = Face(
+        key=record.key,
+        title=record.title,
+        skin=skin,
+        solved=members.flags("face/skin/solved", len(skin.triangles)),
+        uv=members.floats("face/skin/uv", (count, 2), -LARGEST_COORDINATE, LARGEST_COORDINATE),
+        mirror=members.indices("face/skin/mirror", (count,), count),
+        chart=members.floats("face/skin/chart", (count, 2), -LARGEST_COORDINATE, LARGEST_COORDINATE),
+        landmarks=_landmarks(record, count, member),
+        eyes=_eyes(record, member),
+        parts=_parts(record, members, count, member),
+        skull=_skull(record, members, count, member),
+        layers=_layers(members, count),
+        provenance=record.provenance,
+    )
+    members.finish()
+    return face
+
+
+def _mesh(members: Members, place: str) -> Mesh:
+    positions = members.floats(f"{place}/positions", (None, 3), -LARGEST_COORDINATE, LARGEST_COORDINATE)
+    triangles = members.indices(f"{place}/triangles", (None, 3), len(positions))
+    a, b, c = triangles.T
+    twice = np.flatnonzero((a == b) | (b == c) | (c == a))
+    if len(twice):
+        raise DamageError(f"{place}/triangles.npy", f"names a corner twice in triangle {twice[0]}")
+    return Mesh(positions, triangles)
+
+
+def _landmarks(record: FaceRecord, count: int, member: str) -> dict[str, int]:
+    for name, vertex in record.landmarks.items():
+        if vertex >= count:
+            raise DamageError(
+                f"{member}, face.landmarks.{name}", f"is {vertex} but the skin has {count} vertices"
+            )
+    return dict(record.landmarks)
+
+
+def _eyes(record: FaceRecord, member: str) -> tuple[Eye, Eye]:
+    left, right = (Eye(eye.side, np.array(eye.centre), eye.radius) for eye in record.eyes)
+    if (left.side, right.side) != ("L", "R"):
+        raise DamageError(f"{member}, face.eyes", "are not one left and one right eye in this order")
+    return left, right
+
+
+def _parts(record: FaceRecord, members: Members, count: int, member: str) -> tuple[Part, ...]:
+    names = [part.name for part in record.parts]
+    if len(set(names)) < len(names):
+        raise DamageError(f"{member}, face.parts", "has two parts of the same name")
+    return tuple(_part(part, members, f"face/parts/{k}", count) for k, part in enumerate(record.parts))
+
+
+def _part(record: PartRecord, members: Members, place: str, count: int) -> Part:
+    mesh = _mesh(members, place)
+    anchors = members.indices(f"{place}/anchors", (None, None), count)
+    shares = members.floats(f"{place}/shares", anchors.shape, -LARGEST_COORDINATE, LARGEST_COORDINATE)
+    if record.carrier == "skin":
+        if len(anchors) != len(mesh.positions):
+            raise DamageError(f"{place}/anchors.npy", "does not have one row for each vertex of the part")
+        if np.any(np.abs(shares.sum(axis=1) - 1) > SHARES_SUM_TO_ONE):
+            raise DamageError(f"{place}/shares.npy", "has a row that does not sum to one")
+    elif anchors.size:
+        raise DamageError(f"{place}/anchors.npy", f"is not empty though the {record.carrier} carries it")
+    return Part(record.name, record.kind, record.carrier, mesh, anchors, shares)
+
+
+def _skull(record: FaceRecord, members: Members, count: int, member: str) -> Skull:
+    axis = np.array(record.jaw.axis)
+    if np.array_equal(axis[0], axis[1]):
+        raise DamageError(f"{member}, face.jaw.axis", "has both condyles at the same point")
+    return Skull(
+        cranium=_mesh(members, "face/skull/cranium"),
+        mandible=_mesh(members, "face/skull/mandible"),
+        anchors=members.floats("face/skull/anchors", (count, 3), -LARGEST_COORDINATE, LARGEST_COORDINATE),
+        jawbone=members.floats("face/skull/jawbone", (count,), 0, 1),
+        jaw=Jaw(axis, np.array(record.jaw.teeth)),
+    )
+
+
+def _layers(members: Members, count: int) -> Layers:
+    most = LARGEST_STIFFNESS
+    return Layers(
+        direction=members.floats(
+            "face/layers/direction", (count, 3), -LARGEST_COORDINATE, LARGEST_COORDINATE
+        ),
+        stretching=members.floats("face/layers/stretching", (count, 2), 0, most),
+        bending=members.floats("face/layers/bending", (count, 3), 0, most),
+        stiffness=members.floats("face/layers/stiffness", (count,), 0, most),
+        supports=members.indices("face/layers/supports", (count,), len(Support)),
+    )

@@ -1,0 +1,142 @@
+"""The project file ``.risorius``: what a person might read as JSON, the arrays of the face beside it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from facemodel.actions import field_names, resolve
+from facemodel.errors import UnknownNameError
+from facemodel.io.archive import LARGEST_ARCHIVE, Archive, pack, unpack
+from facemodel.io.damage import DamageError, naming
+from facemodel.io.disk import read_file, replacing
+from facemodel.io.face_arrays import face_arrays, face_of, face_record
+from facemodel.io.records import (
+    emotion_of,
+    emotion_record,
+    muscle_of,
+    muscle_record,
+    settings_of,
+    settings_record,
+    unit_of,
+    unit_record,
+)
+from facemodel.io.schema import PROJECT_FORMAT, SCHEMA, ProjectDocument, damage_of, parse
+from facemodel.project import Project
+
+PROJECT_MEMBER = "project.json"
+RINGED = {"sphincter", "lid"}
+"""Models that work on the ring of a muscle."""
+
+
+def save_project(project: Project, path: Path) -> None:
+    """Write a project; its bytes depend on the project alone, and opening them gives it back bit by bit.
+
+    Raises
+    ------
+    ProjectError
+        If the project could not be opened again, or the file cannot be written; a previous file stays.
+    """
+    with naming(path, "saved"):
+        data = project_bytes(project)
+        project_of(data)
+    with replacing(path) as stream:
+        stream.write(data)
+
+
+def load_project(path: Path) -> Project:
+    """Read a project of this or an older version.
+
+    Raises
+    ------
+    ProjectError
+        If there is no such file, it is damaged or newer; the place and the remedy are named.
+    """
+    data = read_file(path, LARGEST_ARCHIVE)
+    with naming(path, "opened"):
+        return project_of(data)
+
+
+def project_bytes(project: Project) -> bytes:
+    """The bytes of a project file.
+
+    Raises
+    ------
+    DamageError
+        If a value of the project is out of the range that its record allows.
+    """
+    try:
+        document = ProjectDocument(
+            format=PROJECT_FORMAT,
+            schema=SCHEMA,
+            face=face_record(project.face),
+            muscles=tuple(muscle_record(muscle) for muscle in project.muscles),
+            units=tuple(unit_record(unit) for unit in project.units),
+            emotions=tuple(emotion_record(emotion) for emotion in project.emotions),
+            expression={name: float(weight) for name, weight in project.expression.items()},
+            settings=settings_record(project.settings),
+        )
+    except ValidationError as error:
+        raise damage_of(error, "the project") from error
+    return pack(Archive(document.model_dump(by_alias=True), face_arrays(project.face)), PROJECT_MEMBER)
+
+
+def project_of(data: bytes) -> Project:
+    """The project in the bytes of a project file.
+
+    Raises
+    ------
+    DamageError
+        If they are not those of a project, or of a newer version.
+    """
+    archive = unpack(data, PROJECT_MEMBER)
+    document = parse(archive.document, ProjectDocument, PROJECT_FORMAT, PROJECT_MEMBER)
+    _check_references(document)
+    return Project(
+        face=face_of(document.face, archive.arrays, PROJECT_MEMBER),
+        muscles=tuple(muscle_of(record) for record in document.muscles),
+        units=tuple(unit_of(record) for record in document.units),
+        emotions=tuple(emotion_of(record) for record in document.emotions),
+        expression=dict(document.expression),
+        settings=settings_of(document.settings),
+    )
+
+
+def _check_references(document: ProjectDocument) -> None:
+    """Every name that one part of the document uses is there in another, once."""
+    _check_unique([f"{m.name} {m.side}" for m in document.muscles], "muscles")
+    _check_unique([str(unit.number) for unit in document.units], "units")
+    _check_unique([emotion.name.lower() for emotion in document.emotions], "emotions")
+    for k, muscle in enumerate(document.muscles):
+        if muscle.model == "fibre" and not muscle.fibres:
+            raise DamageError(f"{PROJECT_MEMBER}, muscles[{k}].fibres", "is empty")
+        if muscle.model in RINGED and muscle.ring is None:
+            raise DamageError(f"{PROJECT_MEMBER}, muscles[{k}].ring", "is missing")
+    known = {muscle.name for muscle in document.muscles}
+    for k, unit in enumerate(document.units):
+        for name in unit.muscles.keys() - known:
+            raise DamageError(
+                f"{PROJECT_MEMBER}, units[{k}].muscles", f"names “{name}”, which is no muscle of the project"
+            )
+    units = [unit_of(record) for record in document.units]
+    for k, emotion in enumerate(document.emotions):
+        for name in emotion.weights:
+            try:
+                resolve(name, units)
+            except UnknownNameError as error:
+                raise DamageError(
+                    f"{PROJECT_MEMBER}, emotions[{k}].weights",
+                    f"names “{name}”, which is no action unit of the project",
+                ) from error
+    for name in sorted(document.expression.keys() - set(field_names(units))):
+        raise DamageError(
+            f"{PROJECT_MEMBER}, expression", f"names “{name}”, which is no field of the project"
+        )
+
+
+def _check_unique(names: list[str], place: str) -> None:
+    for name, times in Counter(names).items():
+        if times > 1:
+            raise DamageError(f"{PROJECT_MEMBER}, {place}", f"has “{name}” {times} times")

@@ -1,0 +1,217 @@
+"""The JSON documents of face and project files: what each may hold, and its upgrades from older versions.
+
+The models are strict: a field that is missing, unknown, of another type or not a finite number is refused
+with its place.  Arrays are not part of them; they are members of their own beside the document.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from typing import Annotated, Any, Final, Literal, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from facemodel.io.damage import DamageError
+
+PROJECT_FORMAT: Final = "risorius"
+FACE_FORMAT: Final = "risorius-face"
+SCHEMA: Final = 1
+"""The version that is written.  Whoever changes the meaning of a file raises it and adds an upgrade."""
+
+Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
+UPGRADES: Mapping[int, Upgrade] = {}
+"""For each older version the function that turns its document into the next one's; version 1 is the first."""
+
+LARGEST_WEIGHT = 100.0
+"""Weights beyond this leave the range in which a face of float32 millimetres means anything."""
+
+Name = Annotated[str, Field(min_length=1, max_length=100)]
+Key = Annotated[str, Field(pattern=r"^[\w-]{1,100}$")]
+Text = Annotated[str, Field(max_length=20_000)]
+Length = Annotated[float, Field(ge=-1e5, le=1e5)]
+Positive = Annotated[float, Field(gt=0, le=1e5)]
+Share = Annotated[float, Field(ge=-1, le=1)]
+Weight = Annotated[float, Field(ge=-LARGEST_WEIGHT, le=LARGEST_WEIGHT)]
+Index = Annotated[int, Field(ge=0, lt=1 << 31)]
+Point = tuple[Length, Length, Length]
+
+
+class Record(BaseModel):
+    """A part of a document."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+
+class EyeRecord(Record):
+    """See `facemodel.face.Eye`."""
+
+    side: Literal["L", "R"]
+    centre: Point
+    radius: Positive
+
+
+class PartRecord(Record):
+    """See `facemodel.face.Part`; its arrays are the members ``face/parts/<its number in the list>``."""
+
+    name: Name
+    kind: Literal["lining", "socket", "lashes", "teeth", "tongue"]
+    carrier: Literal["skull", "jaw", "skin"]
+
+
+class JawRecord(Record):
+    """See `facemodel.face.Jaw`."""
+
+    axis: tuple[Point, Point]
+    teeth: Point
+
+
+class FaceRecord(Record):
+    """See `facemodel.face.Face`; its arrays are the members under ``face``."""
+
+    key: Key
+    title: Name
+    provenance: Text
+    landmarks: dict[Name, Index]
+    eyes: tuple[EyeRecord, EyeRecord]
+    jaw: JawRecord
+    parts: tuple[PartRecord, ...]
+
+
+class FibreRecord(Record):
+    """See `facemodel.muscles.Fibre`."""
+
+    origin: Point
+    attachment: Point
+
+
+class SphincterRecord(Record):
+    """See `facemodel.muscles.Sphincter`."""
+
+    centre: Point
+    long_axis: Point
+    short_axis: Point
+    sector: Point
+    focus: Annotated[float, Field(ge=0, le=1)]
+    inward: Share
+    forward: Share
+
+
+class MuscleRecord(Record):
+    """See `facemodel.muscles.Muscle`."""
+
+    name: Key
+    side: Literal["L", "R", "M"]
+    title: Name
+    group: Name
+    model: Literal["fibre", "sphincter", "lid"]
+    fibres: tuple[FibreRecord, ...]
+    ring: SphincterRecord | None
+    width: Positive
+    kappa: Positive
+    strength: Annotated[float, Field(ge=0, le=1e5)]
+    count: Annotated[int, Field(ge=0, le=10_000)]
+
+
+class JawMotionRecord(Record):
+    """See `facemodel.actions.JawMotion`."""
+
+    degrees: Annotated[float, Field(ge=-90, le=90)]
+    slide: Length
+
+
+class UnitRecord(Record):
+    """See `facemodel.actions.ActionUnit`."""
+
+    number: Annotated[int, Field(ge=1, le=999)]
+    name: Name
+    group: Literal["upper", "horizontal", "vertical", "diagonal", "orbital", "jaw", "eyes"]
+    paired: bool
+    muscles: dict[Key, Weight]
+    amplitude: Annotated[float, Field(ge=0, le=1e5)]
+    jaw: JawMotionRecord | None
+    note: Text
+
+
+class EmotionRecord(Record):
+    """See `facemodel.actions.Emotion`."""
+
+    name: Name
+    weights: dict[Name, Weight]
+
+
+class SettingsRecord(Record):
+    """See `facemodel.project.Settings`."""
+
+    element: Literal["hct9", "hct12"]
+    density: Annotated[int, Field(ge=1, le=16)]
+
+
+class FaceDocument(Record):
+    """The document of a ``.face`` file."""
+
+    format: Literal["risorius-face"]
+    version: Literal[1] = Field(alias="schema")
+    face: FaceRecord
+
+
+class ProjectDocument(Record):
+    """The document of a ``.risorius`` file."""
+
+    format: Literal["risorius"]
+    version: Literal[1] = Field(alias="schema")
+    face: FaceRecord
+    muscles: tuple[MuscleRecord, ...]
+    units: tuple[UnitRecord, ...]
+    emotions: tuple[EmotionRecord, ...]
+    expression: dict[Name, Weight]
+    settings: SettingsRecord
+
+
+Document = TypeVar("Document", FaceDocument, ProjectDocument)
+
+
+def parse(raw: Mapping[str, Any], kind: type[Document], format_: str, member: str) -> Document:
+    """A checked document from JSON of this or an older version.
+
+    Raises
+    ------
+    DamageError
+        If it is of another format, a newer version, or breaks a rule of the models; the place is named.
+    """
+    if raw.get("format") != format_:
+        raise DamageError(f"{member}, format", f"is not “{format_}”, so it is another kind of file")
+    document = _upgraded(dict(raw), member)
+    try:
+        return kind.model_validate_json(json.dumps(document))
+    except ValidationError as error:
+        raise damage_of(error, member) from error
+
+
+def _upgraded(document: dict[str, Any], member: str) -> dict[str, Any]:
+    version = document.get("schema")
+    if type(version) is not int or version < 1:
+        raise DamageError(f"{member}, schema", "is not the number of a version")
+    if version > SCHEMA:
+        raise DamageError(
+            f"{member}, schema",
+            f"is {version}, so it was written by a newer version of Risorius (this one reads up to {SCHEMA})",
+            "update Risorius to open it",
+        )
+    for old in range(version, SCHEMA):
+        document = UPGRADES[old](document)
+    return document
+
+
+def damage_of(error: ValidationError, member: str) -> DamageError:
+    """The first complaint of pydantic as one sentence with its place."""
+    first = error.errors(include_url=False, include_input=False)[0]
+    place = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"]).lstrip(".")
+    says = {
+        "extra_forbidden": "is not known to this version",
+        "missing": "is missing",
+        "finite_number": "is not a finite number",
+    }.get(first["type"])
+    if says is None:
+        says = "is not valid: " + first["msg"].removeprefix("Input ").removeprefix("Value ")
+    return DamageError(f"{member}, {place}" if place else member, says)
