@@ -13,6 +13,8 @@ from app.differences import same_but_expression, same_content, same_solution
 from app.history import History
 from app.weights import checked_weights, emotion_weights, whole_expression, with_weights
 from facemodel.actions import Expression
+from facemodel.errors import ProjectError
+from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
 
 if TYPE_CHECKING:
@@ -168,6 +170,27 @@ class Document:
     def reset_expression(self) -> None:
         """All weights to zero, in one step."""
         self.set_expression({}, "Neutral face")
+
+    def open(self, path: Path) -> None:
+        """Read a project; if that fails all stays as it was."""
+        self._begin(load_project(path), path)
+
+    def save(self, path: Path | None = None) -> None:
+        """Write the project, to its own file if none is named.
+
+        Raises
+        ------
+        ProjectError
+            If it cannot be written, or has no file and none is named; file and document stay as they were.
+        """
+        target = path or self._path
+        if target is None:
+            raise ProjectError("This project has no file yet; choose one with “Save as”.")
+        self.commit()
+        save_project(self._project, target)
+        self._path, self._saved = target, self._project
+        self._history.mark_saved()
+        self.saved_changed.emit()
 
     def accept(self, solution: Solution, solved: Project) -> None:
         """Take the solution of a snapshot; one of another face, or of an outdated project, is dropped."""
