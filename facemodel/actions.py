@@ -111,9 +111,7 @@ def resolve(name: str, units: Sequence[ActionUnit]) -> tuple[str, ...]:
                 f"Action unit {unit.number} ({unit.name}) has no left and right; name it {unit.number}."
             )
     known = ", ".join(str(u.number) for u in units)
-    raise UnknownNameError(
-        f"There is no action unit “{name}”; this face has {known} (paired ones also as 12L, 12R)."
-    )
+    raise UnknownNameError(f"There is no action unit “{name}”; this face has {known} (paired ones also as 12L, 12R).")
 
 
 def find_emotion(name: str, emotions: Sequence[Emotion]) -> Emotion:

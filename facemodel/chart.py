@@ -43,9 +43,7 @@ def jacobians(mesh: Mesh, uv: FloatArray) -> FloatArray:
     s = (b - a) / np.linalg.norm(b - a, axis=1, keepdims=True)
     normal = mesh.triangle_normals / np.linalg.norm(mesh.triangle_normals, axis=1, keepdims=True)
     t = np.cross(normal, s)
-    flat = np.stack(
-        [np.stack([_dot(b - a, s), _dot(c - a, s)], 1), np.stack([_dot(b - a, t), _dot(c - a, t)], 1)], 1
-    )
+    flat = np.stack([np.stack([_dot(b - a, s), _dot(c - a, s)], 1), np.stack([_dot(b - a, t), _dot(c - a, t)], 1)], 1)
     pa, pb, pc = (uv[mesh.triangles[:, k]] for k in range(3))
     drawn = np.stack([pb - pa, pc - pa], axis=2)
     return np.asarray(drawn @ np.linalg.inv(flat))
@@ -88,9 +86,7 @@ def _tutte(disk: Mesh, outer: IntArray) -> FloatArray:
     return np.asarray(uv * np.sqrt(area / np.pi))
 
 
-def make_chart(
-    mesh: Mesh, iterations: int = SLIM_ITERATIONS, energy: str = "SYMMETRIC_DIRICHLET"
-) -> FloatArray:
+def make_chart(mesh: Mesh, iterations: int = SLIM_ITERATIONS, energy: str = "SYMMETRIC_DIRICHLET") -> FloatArray:
     """A bijective chart (N, 2) in millimetres, of about the area of the mesh.
 
     Parameters
@@ -105,9 +101,7 @@ def make_chart(
         If the mesh has no boundary, or a triangle came out flipped.
     """
     if not mesh.boundary_loops:
-        raise FaceError(
-            "The skin is closed and has no chart; cut it open at the mouth, the eyes or the neck."
-        )
+        raise FaceError("The skin is closed and has no chart; cut it open at the mouth, the eyes or the neck.")
     disk, outer = _filled(mesh)
     data = igl.slim_precompute(
         disk.positions,
@@ -121,7 +115,5 @@ def make_chart(
     uv = np.asarray(igl.slim_solve(data, iterations))[: len(mesh.positions)].copy()
     figures = chart_figures(mesh, uv)
     if figures.flips:
-        raise FaceError(
-            f"The chart of the skin has {figures.flips} flipped triangles; repair the mesh around them."
-        )
+        raise FaceError(f"The chart of the skin has {figures.flips} flipped triangles; repair the mesh around them.")
     return uv

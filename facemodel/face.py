@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import IntEnum
 from typing import Literal
 
 from facemodel.mesh import Mesh
@@ -12,16 +11,6 @@ from fem.types import BoolArray, FloatArray, IntArray
 
 Carrier = Literal["skull", "jaw", "skin"]
 PartKind = Literal["lining", "socket", "lashes", "teeth", "tongue"]
-
-
-class Support(IntEnum):
-    """How the displacement of a skin vertex is held (a boundary condition)."""
-
-    FREE = 0
-    VALUE = 1
-    """The vertex stays where it is; the surface may turn about it."""
-    CLAMPED = 2
-    """The vertex and the slope of the surface stay: value and slope held."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +87,7 @@ class Layers:
     stretching : (N, 2) principal stiffnesses alpha along and across it, N/mm
     bending : (N, 3) beta as b11, b22, b12 in the same frame, N mm
     stiffness : (N,) tissue stiffness along the normal per area of skin, N/mm^3
-    supports : (N,) int8, see `Support`
+    supports : (N,) int, see `fem.Support`
     """
 
     direction: FloatArray

@@ -85,6 +85,4 @@ def submesh(mesh: Mesh, keep: np.typing.NDArray[np.bool_]) -> tuple[Mesh, IntArr
     vertices : (n,) int, the index of each of its vertices in the whole
     """
     vertices, triangles = np.unique(mesh.triangles[keep], return_inverse=True)
-    return Mesh(mesh.positions[vertices], triangles.reshape(-1, 3).astype(np.int64)), vertices.astype(
-        np.int64
-    )
+    return Mesh(mesh.positions[vertices], triangles.reshape(-1, 3).astype(np.int64)), vertices.astype(np.int64)

@@ -9,8 +9,8 @@ from fem import SpringSet
 from fem.types import FloatArray, IntArray
 
 SLIDING_RATIO = 12.0
-"""How much stiffer the tissue is along the normal than along the surface: skin slides over bone, and 70 to 95 % of
-the measured motion of scanned faces is along the surface."""
+"""How much stiffer the tissue is along the normal than along the surface: skin slides over bone, and 70 to 95 %
+of the measured motion of scanned faces is along the surface."""
 
 LEAST_SLANT = 0.02
 """Least tangential share of the struts that is scaled up; flatter struts carry nothing along the surface."""
@@ -19,9 +19,9 @@ LEAST_SLANT = 0.02
 def tissue_springs(face: Face, vertices: IntArray) -> tuple[SpringSet, FloatArray, FloatArray]:
     """Main springs and struts of some skin vertices, with stiffness per area of skin.
 
-    Every vertex has a main spring to its own point of the skull and struts to its neighbours' points.  The struts
-    are scaled so that the tissue is `SLIDING_RATIO` times softer along the surface than along the main spring,
-    whatever the density of the mesh.
+    Every vertex has a main spring to its own point of the skull and struts to its neighbours' points.  The
+    struts are scaled so that the tissue is `SLIDING_RATIO` times softer along the surface than along the
+    main spring, whatever the density of the mesh.
 
     Parameters
     ----------

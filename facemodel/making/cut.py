@@ -86,9 +86,7 @@ def triangulate(quads: IntArray, positions: FloatArray, mirror: IntArray) -> Int
     return np.concatenate([half, mirror[half][:, ::-1]])
 
 
-def _slid_onto_plane(
-    triangles: IntArray, positions: FloatArray, height: FloatArray
-) -> tuple[IntArray, FloatArray]:
+def _slid_onto_plane(triangles: IntArray, positions: FloatArray, height: FloatArray) -> tuple[IntArray, FloatArray]:
     """For every vertex near the plane the neighbour towards which it slides, and the share of that edge."""
     partner = np.arange(len(positions))
     share = np.zeros(len(positions))
@@ -138,9 +136,7 @@ def cut_head(base: BaseMesh, mirror: IntArray, mouth_vertex: int) -> Cut:
     body = base.groups["body"]
     labels = uv_islands(body)
     head = island_of(body, labels, mouth_vertex)
-    torso = body[
-        labels == np.bincount(labels[labels != labels[(body[:, :, 0] == mouth_vertex).any(1)][0]]).argmax()
-    ]
+    torso = body[labels == np.bincount(labels[labels != labels[(body[:, :, 0] == mouth_vertex).any(1)][0]]).argmax()]
     high = base.positions[torso[:, :, 0]][:, :, 1].max(axis=1) > NECK_POINT[1] - 60
     quads = np.concatenate([head, torso[high]])
     triangles = triangulate(quads[:, :, 0], base.positions, mirror)
@@ -170,9 +166,7 @@ def _compact(
 
     reflected = at * [-1, 1, 1]
     across = np.linalg.norm(at[None, :, :] - reflected[:, None, :], axis=2).argmin(axis=1)
-    number = {
-        int(v): k for k, (v, e) in enumerate(zip(ends[:, 0], used, strict=True)) if e < len(base.positions)
-    }
+    number = {int(v): k for k, (v, e) in enumerate(zip(ends[:, 0], used, strict=True)) if e < len(base.positions)}
     for v, k in number.items():
         across[k] = number.get(int(mirror[v]), across[k])
 

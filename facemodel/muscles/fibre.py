@@ -1,4 +1,4 @@
-"""The linear fibre of Koch, Gross and Bosshard 1998, equations 1 to 10, and the fan generated from central fibres."""
+"""The linear fibre of Koch, Gross and Bosshard 1998, eqs. 1 to 10, and the fan between central fibres."""
 
 from __future__ import annotations
 
@@ -26,7 +26,8 @@ def lateral(gamma: FloatArray) -> FloatArray:
 def fan(fibres: tuple[Fibre, ...], count: int) -> tuple[FloatArray, FloatArray]:
     """Origins and attachments (n, 3) of the fibres spread evenly between the central ones.
 
-    The central fibres are taken in order as the spine of the muscle; a muscle with one central fibre has only that.
+    The central fibres are taken in order as the spine of the muscle; a muscle with one central fibre has
+    only that.
     """
     origins = np.array([f.origin for f in fibres])
     attachments = np.array([f.attachment for f in fibres])
@@ -44,8 +45,9 @@ def fan(fibres: tuple[Fibre, ...], count: int) -> tuple[FloatArray, FloatArray]:
 def fibre_forces(muscle: Muscle, skin: Mesh) -> FloatArray:
     """Force per area (N, 3) on the skin, N/mm^2, of a muscle made of linear fibres (eqs. 9 and 10).
 
-    The fibres of the fan are averaged, so that the number of generated fibres changes the grain and not the strength.
-    Beyond the paper, no force acts further than the width past the attachment, where eq. 7 would stay at one.
+    The fibres of the fan are averaged, so that the number of generated fibres changes the grain and not the
+    strength. Beyond the paper, no force acts further than the width past the attachment, where eq. 7 would
+    stay at one.
     """
     origins, attachments = fan(muscle.fibres, muscle.count)
     x, normals = skin.positions, skin.normals

@@ -14,10 +14,10 @@ from fem.types import FloatArray
 def lid_forces(muscle: Muscle, skin: Mesh) -> FloatArray:
     """Force per area (N, 3) on the skin, N/mm^2, of a lid that turns about the eyeball.
 
-    The ring's centre is the eyeball's, its long axis spans the lid from canthus to canthus and its short axis goes
-    from the middle of the fissure to the lid's margin and ends at the lid's fold.  The force is tangent to the
-    eyeball, towards the fissure for a positive ``inward``; it is largest at the margin in the middle of the lid and
-    fades to the canthi, to the fold and on the opposite lid.
+    The ring's centre is the eyeball's, its long axis spans the lid from canthus to canthus and its short
+    axis goes from the middle of the fissure to the lid's margin and ends at the lid's fold.  The force is
+    tangent to the eyeball, towards the fissure for a positive ``inward``; it is largest at the margin in
+    the middle of the lid and fades to the canthi, to the fold and on the opposite lid.
     """
     ring = muscle.ring
     if ring is None:

@@ -25,9 +25,10 @@ class Fibre:
 class Sphincter:
     """The ring of a sphincter on the skin: an ellipse by its centre and two half axes; (3,) in millimetres.
 
-    It pulls towards its line of closure, the middle ``focus`` of the long axis (0 a point, 1 the whole axis), with
-    the share ``inward``, and along the outward normal, long axis cross short axis, with the share ``forward``.
-    A ``sector`` that is not zero keeps the half of the ring that lies towards it, so that two halves make a whole.
+    It pulls towards its line of closure, the middle ``focus`` of the long axis (0 a point, 1 the whole
+    axis), with the share ``inward``, and along the outward normal, long axis cross short axis, with the
+    share ``forward``. A ``sector`` that is not zero keeps the half of the ring that lies towards it, so
+    that two halves make a whole.
     """
 
     centre: FloatArray

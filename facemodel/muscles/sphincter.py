@@ -25,15 +25,13 @@ def half(offset: FloatArray, sector: FloatArray, seam: float) -> FloatArray:
 def sphincter_forces(muscle: Muscle, skin: Mesh) -> FloatArray:
     """Force per area (N, 3) on the skin, N/mm^2, of a ring of fibres.
 
-    In the plane of the ring the force points at its line of closure (a segment on the long axis, ``focus`` of it
-    long) and is largest on the ring; it fades over the muscle's width to both sides.  A share ``forward`` acts
-    along the ring's outward normal, which purses lips.
+    In the plane of the ring the force points at its line of closure (a segment on the long axis, ``focus``
+    of it long) and is largest on the ring; it fades over the muscle's width to both sides.  A share
+    ``forward`` acts along the ring's outward normal, which purses lips.
     """
     ring = muscle.ring
     if ring is None:
-        raise FaceError(
-            f"Muscle “{muscle.key}” is a sphincter without a ring; give it a centre and two half axes."
-        )
+        raise FaceError(f"Muscle “{muscle.key}” is a sphincter without a ring; give it a centre and two half axes.")
     a, b = np.linalg.norm(ring.long_axis), np.linalg.norm(ring.short_axis)
     along, up = ring.long_axis / a, ring.short_axis / b
     outward = np.cross(along, up)
