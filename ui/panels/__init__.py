@@ -1,0 +1,1 @@
+"""Docks: they show a document and turn gestures into its intents."""

@@ -1,0 +1,96 @@
+"""The emotions: a button each, and the strength of the one that is on."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QGridLayout, QPushButton, QVBoxLayout, QWidget
+
+from app.document import Document
+from app.weights import emotion_weights
+from facemodel.actions import Emotion, Expression
+from ui.panels.emotion_match import shown_strength
+from ui.theme.metrics import GRID
+from ui.widgets.activation_slider import ActivationSlider
+from ui.widgets.strength_button import StrengthButton
+
+COLUMNS = 4
+
+
+class EmotionBar(QWidget):
+    """Binds the emotions of a document to buttons and one strength slider, both ways."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self._document = document
+        self._emotions: tuple[Emotion, ...] = ()
+        self._active = ""
+        self.buttons: dict[str, StrengthButton] = {}
+        self.neutral = QPushButton("Neutral")
+        self.neutral.setProperty("role", "quiet")
+        self.neutral.setToolTip("Relax the whole face (0)")
+        self.neutral.clicked.connect(lambda: self._document.reset_expression())
+        self.strength = ActivationSlider("Strength")
+        self.strength.setEnabled(False)
+        self.strength.previewed.connect(lambda strength: self._preview(self._active, strength))
+        self.strength.committed.connect(self._commit)
+        self.strength.cancelled.connect(lambda: self._document.cancel_preview())
+        self._grid = QGridLayout()
+        self._grid.setSpacing(2)
+        for column in range(COLUMNS):
+            self._grid.setColumnStretch(column, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(GRID // 2)
+        layout.addLayout(self._grid)
+        layout.addWidget(self.strength)
+        self.show_emotions(document.project.emotions)
+
+    def show_emotions(self, emotions: tuple[Emotion, ...]) -> None:
+        """Offer these emotions."""
+        if emotions is self._emotions:
+            return
+        self._emotions = emotions
+        for button in self.buttons.values():
+            button.hide()
+            button.deleteLater()
+        self.buttons = {emotion.name: self._button(emotion) for emotion in emotions}
+        for place, button in enumerate((*self.buttons.values(), self.neutral)):
+            self._grid.addWidget(button, *divmod(place, COLUMNS))
+        self.show_expression(self._document.shown)
+
+    def show_expression(self, expression: Expression) -> None:
+        """Show which emotion an expression is; the document hears nothing of it."""
+        on = 0.0
+        for emotion in self._emotions:
+            strength = shown_strength(expression, emotion, self._document.project)
+            self.buttons[emotion.name].set_strength(strength)
+            if strength > 0:
+                self._active, on = emotion.name, strength
+        held = self.strength.held or self._document.held
+        if not held:
+            self.strength.setEnabled(on > 0)
+        self.strength.label = f"{self._active.capitalize()} strength" if on > 0 or held else "Strength"
+        self.strength.set_weight(on)
+
+    def _button(self, emotion: Emotion) -> StrengthButton:
+        button = StrengthButton(emotion.title)
+        recipe = " + ".join(name for name in emotion.weights)
+        button.setToolTip(f"{emotion.title}: {recipe}<br>Click for all of it, drag across for less")
+        button.previewed.connect(lambda strength: self._preview(emotion.name, strength))
+        button.committed.connect(self._commit)
+        button.cancelled.connect(lambda: self._document.cancel_preview())
+        button.pressed_fully.connect(lambda on: self._press(emotion.name, on))
+        return button
+
+    def _press(self, name: str, on: bool) -> None:
+        if on:
+            self._document.apply_emotion(name)
+        else:
+            self._document.reset_expression()
+
+    def _preview(self, name: str, strength: float) -> None:
+        self._active = name
+        self._document.preview(emotion_weights(name, strength, self._document.project))
+
+    def _commit(self) -> None:
+        self._document.commit(self._active.capitalize())
+        self.show_expression(self._document.shown)

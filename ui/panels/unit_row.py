@@ -1,0 +1,157 @@
+"""One action unit: number, a bar with its name, a split into left and right, a reset."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
+
+from app.document import Document
+from app.sides import both_sides
+from app.view import View
+from facemodel.actions import ActionUnit, Expression
+from ui.panels.unit_text import MuscleTitles, unit_title, unit_tooltip
+from ui.theme.apply import current_theme
+from ui.theme.icons import icon
+from ui.theme.metrics import GRID, ROW
+from ui.widgets.activation_slider import ActivationSlider
+
+NUMBER_WIDTH = 3 * GRID
+BUTTON = 22
+DOT = 4.0
+
+
+class UnitRow(QWidget):
+    """Binds one action unit of a document to sliders, both ways.
+
+    Signals
+    -------
+    hovered(object) : the ActionUnit under the pointer or the focus, or None
+    """
+
+    hovered = Signal(object)
+
+    def __init__(self, document: Document, view: View, unit: ActionUnit, titles: MuscleTitles) -> None:
+        super().__init__()
+        self.unit = unit
+        self._document = document
+        self._view = view
+        self._expression: Expression = {}
+        self.slider = self._slider(unit_title(unit), "both", unit.fields)
+        self.sides: tuple[ActivationSlider, ...] = ()
+        self.split = _button("call-split", f"Left and right of {unit.name} apart")
+        self.split.setCheckable(True)
+        self.clear = _button("restore", f"Reset {unit.name}")
+        self.clear.clicked.connect(self.slider.reset)
+        self._lay_out()
+        self.split.toggled.connect(self._unfold)
+        self.split.clicked.connect(self._part)
+        self.slider.setToolTip(unit_tooltip(unit, titles))
+
+    @property
+    def weights(self) -> tuple[float, float]:
+        """Weights of left and right, twice the same where there are no sides."""
+        fields = self.unit.fields
+        return self._expression.get(fields[0], 0.0), self._expression.get(fields[-1], 0.0)
+
+    @property
+    def changed(self) -> bool:
+        """Whether it weighs anything."""
+        return any(self.weights)
+
+    def show_expression(self, expression: Expression) -> None:
+        """Show the weights of an expression; the document hears nothing of it."""
+        was_changed = self.changed
+        self._expression = expression
+        self.slider.set_weights(*self.weights)
+        for slider, weight in zip(self.sides, self.weights, strict=False):
+            slider.set_weight(weight)
+        if was_changed != self.changed:
+            self.clear.setVisible(self.changed)
+            self.update()
+
+    def unfold(self, unfolded: bool) -> None:
+        """Show left and right apart, if it has them."""
+        self.split.setChecked(unfolded and self.unit.paired)
+
+    def preview(self, fields: tuple[str, ...], weight: float) -> None:
+        """Show a weight of some of its fields, and of the other side too while the sides are linked."""
+        weights = dict.fromkeys(fields, weight)
+        self._document.preview(both_sides(weights, (self.unit,), self._view.state.linked))
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """The accent dot of a changed row."""
+        if self.changed:
+            painter = QPainter(self)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(current_theme().accent))
+            painter.drawEllipse(QRectF(GRID - DOT, (ROW - DOT) / 2, DOT, DOT))
+
+    def _lay_out(self) -> None:
+        number = QLabel(str(self.unit.number))
+        number.setProperty("role", "muted")
+        number.setFixedWidth(NUMBER_WIDTH)
+        number.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        number.setToolTip(self.slider.toolTip())
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(GRID, 1, GRID // 2, 1)
+        self._grid.setHorizontalSpacing(2)
+        self._grid.setVerticalSpacing(2)
+        self._grid.addWidget(number, 0, 0)
+        self._grid.setColumnMinimumWidth(1, GRID - 4)
+        self._grid.addWidget(self.slider, 0, 2)
+        for column, button in ((3, self.split), (4, self.clear)):
+            self._grid.addWidget(button, 0, column)
+            keep = button.sizePolicy()
+            keep.setRetainSizeWhenHidden(True)
+            button.setSizePolicy(keep)
+        self.split.setVisible(self.unit.paired)
+        self.clear.hide()
+        self._grid.setColumnStretch(2, 1)
+
+    def _unfold(self, unfolded: bool) -> None:
+        if unfolded and not self.sides:
+            self._make_sides()
+        for slider in self.sides:
+            slider.setVisible(unfolded)
+
+    def _part(self, unfolded: bool) -> None:
+        """A person who asks for the sides of a row wants to move one of them alone."""
+        if unfolded:
+            self._view.change(linked=False)
+
+    def _make_sides(self) -> None:
+        left, right = self.unit.fields
+        self.sides = (self._slider("L", "left", (left,)), self._slider("R", "right", (right,)))
+        line = QHBoxLayout()
+        line.setSpacing(2)
+        for slider, side, weight in zip(self.sides, ("left", "right"), self.weights, strict=True):
+            slider.setAccessibleName(f"{unit_title(self.unit)}, {side}")
+            slider.setToolTip(f"{unit_title(self.unit)}, the subject's {side}")
+            slider.set_weight(weight)
+            line.addWidget(slider)
+        self._grid.addLayout(line, 1, 2)
+        QWidget.setTabOrder(self.slider, self.split)
+        QWidget.setTabOrder(self.split, self.clear)
+        QWidget.setTabOrder(self.clear, self.sides[0])
+        QWidget.setTabOrder(*self.sides)
+
+    def _slider(self, label: str, side: str, fields: tuple[str, ...]) -> ActivationSlider:
+        slider = ActivationSlider(label, side)  # type: ignore[arg-type]
+        slider.previewed.connect(lambda weight: self.preview(fields, weight))
+        slider.committed.connect(lambda: self._document.commit())
+        slider.cancelled.connect(lambda: self._document.cancel_preview())
+        slider.hovered.connect(lambda inside: self.hovered.emit(self.unit if inside else None))
+        return slider
+
+
+def _button(glyph: str, text: str) -> QToolButton:
+    button = QToolButton()
+    button.setIcon(icon(glyph))
+    button.setToolTip(text)
+    button.setAccessibleName(text)
+    button.setProperty("role", "small")
+    button.setFixedSize(BUTTON, BUTTON)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return button

@@ -1,0 +1,54 @@
+"""What is written about an action unit, and by which words it is found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from html import escape
+
+from facemodel.actions import ActionUnit
+from facemodel.muscles import Muscle
+
+MuscleTitles = Mapping[str, str]
+"""Titles for people of muscles by name without side."""
+
+
+def muscle_titles(muscles: Iterable[Muscle]) -> MuscleTitles:
+    """Titles by name without side."""
+    return {muscle.name: muscle.title for muscle in muscles}
+
+
+def unit_title(unit: ActionUnit) -> str:
+    """The name as a heading is written."""
+    return unit.name[:1].upper() + unit.name[1:]
+
+
+def unit_muscles(unit: ActionUnit, titles: MuscleTitles) -> tuple[str, ...]:
+    """Titles of the muscles that it contracts, the strongest first."""
+    strongest_first = sorted(unit.muscles, key=lambda name: -unit.muscles[name])
+    return tuple(titles.get(name, name.replace("_", " ")) for name in strongest_first)
+
+
+def unit_tooltip(unit: ActionUnit, titles: MuscleTitles) -> str:
+    """Number, muscles and amplitude, as rich text of a few short lines."""
+    moved = list(unit_muscles(unit, titles))
+    if unit.jaw is not None:
+        moved.append(f"jaw, {unit.jaw.degrees:g}° open")
+    lines = [
+        f"<b>AU {unit.number} · {escape(unit_title(unit))}</b>",
+        escape(", ".join(moved)),
+        f"{unit.amplitude:g} mm at 1",
+        escape(unit.note),
+        "Double-click types · right-click resets · Ctrl past 1 · Shift finer",
+    ]
+    return "<br>".join(line for line in lines if line)
+
+
+def unit_matches(query: str, unit: ActionUnit, titles: MuscleTitles) -> bool:
+    """Whether every word of a search is in the unit's number, name or muscles.  ``12``, ``AU12``, ``zygom lip``."""
+    numbers = {str(unit.number), f"au{unit.number}", *(name.lower() for name in unit.fields)}
+    text = " ".join((unit.name, *unit.muscles, *unit_muscles(unit, titles))).lower()
+    return all(word in numbers or _in_text(word, text) for word in query.lower().split())
+
+
+def _in_text(word: str, text: str) -> bool:
+    return not word.isdigit() and (word == "au" or word in text)

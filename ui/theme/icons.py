@@ -1,0 +1,58 @@
+"""Icons of one family that take the colour of the theme at the moment they are painted."""
+
+from __future__ import annotations
+
+import qtawesome
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPixmap
+
+from ui.theme.apply import current_theme
+from ui.theme.colour import blend
+
+FAMILY = "mdi6"
+
+
+class GlyphIcon(QIconEngine):
+    """One glyph of the icon font; sharp at every scale, right after every change of theme."""
+
+    def __init__(self, glyph: str) -> None:
+        super().__init__()
+        self.glyph = glyph
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+        """Draw the glyph centred in ``rect``."""
+        painter.save()
+        painter.setPen(_colour(mode, state))
+        painter.setFont(qtawesome.font(FAMILY, max(1, rect.height())))
+        painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, qtawesome.charmap(f"{FAMILY}.{self.glyph}"))
+        painter.restore()
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        """The glyph on a transparent ground."""
+        pixmap = QPixmap(size)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self.paint(painter, QRect(QPoint(0, 0), size), mode, state)
+        painter.end()
+        return pixmap
+
+    def clone(self) -> GlyphIcon:
+        """Another engine for the same glyph."""
+        return GlyphIcon(self.glyph)
+
+
+def icon(glyph: str) -> QIcon:
+    """An icon by its name in Material Design Icons, for example ``skull-outline``."""
+    return QIcon(GlyphIcon(glyph))
+
+
+def _colour(mode: QIcon.Mode, state: QIcon.State) -> QColor:
+    theme = current_theme()
+    if mode == QIcon.Mode.Disabled:
+        return blend(theme.panel, theme.muted, 0.5)
+    if state == QIcon.State.On:
+        return QColor(theme.text)
+    if mode in (QIcon.Mode.Active, QIcon.Mode.Selected):
+        return QColor(theme.text)
+    return QColor(theme.muted)

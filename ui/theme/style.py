@@ -1,0 +1,99 @@
+"""The stylesheet: only what Fusion and a palette cannot say."""
+
+from __future__ import annotations
+
+from string import Template
+
+from ui.theme.colour import blend
+from ui.theme.metrics import ROW, SMALL_TYPE
+from ui.theme.roles import Theme
+
+SHEET = Template("""
+QMainWindow, QMainWindow::separator { background: $window; }
+QMainWindow::separator { width: 4px; height: 4px; }
+QMainWindow::separator:hover { background: $accent; }
+QToolTip { background: $raised; color: $text; border: 1px solid $line; padding: 4px 8px; }
+
+QMenuBar { background: $window; padding: 0 4px; }
+QMenuBar::item { background: transparent; padding: 6px 10px; }
+QMenuBar::item:selected, QMenuBar::item:pressed { background: $hover; }
+QMenu { background: $panel; border: 1px solid $line; padding: 4px 0; }
+QMenu::item { padding: 5px 32px 5px 8px; min-height: 16px; }
+QMenu::icon { padding-left: 12px; }
+QMenu::item:selected { background: $hover; }
+QMenu::item:disabled { color: $faint; }
+QMenu::separator { height: 1px; background: $line; margin: 4px 0; }
+
+QToolBar { background: $window; border: none; padding: 4px; spacing: 2px; }
+QToolBar::separator:vertical { height: 1px; background: $line; margin: 6px 4px; }
+QToolBar::separator:horizontal { width: 1px; background: $line; margin: 4px 6px; }
+QToolButton { background: transparent; border: none; border-radius: 3px; padding: 5px; }
+QToolButton:hover { background: $hover; }
+QToolButton:pressed { background: $line; }
+QToolButton:checked { background: $chosen; }
+QToolButton:focus { border: 1px solid $accent; padding: 4px; }
+QToolButton[role="small"] { padding: 2px; }
+QToolButton[role="small"]:focus { padding: 1px; }
+
+QStatusBar { background: $window; color: $muted; }
+QStatusBar::item { border: none; }
+QStatusBar QLabel { color: $muted; }
+
+QDockWidget { font-size: ${small}px; color: $muted; }
+QDockWidget::title { background: $panel; padding: 8px; text-align: left; }
+
+QLineEdit { background: $raised; border: 1px solid $line; border-radius: 3px; padding: 0 6px;
+  min-height: ${field}px; selection-background-color: $accent; selection-color: $on_accent; }
+QLineEdit:focus { border-color: $accent; }
+QLineEdit[wrong="true"] { border-color: $error; color: $error; }
+
+QPushButton { background: $raised; border: 1px solid $line; border-radius: 3px; padding: 0 12px;
+  min-height: ${field}px; }
+QPushButton:hover { background: $hover; }
+QPushButton:pressed { background: $line; }
+QPushButton:focus { border-color: $accent; }
+QPushButton:default { background: $accent; color: $on_accent; border-color: $accent; }
+QPushButton:default:hover { background: $accent_hover; }
+QPushButton:disabled { color: $faint; background: $panel; }
+QPushButton[role="quiet"] { background: transparent; color: $muted; }
+QPushButton[role="quiet"]:hover { background: $hover; color: $text; }
+QPushButton:flat { background: transparent; border-color: transparent; }
+
+QProgressBar { background: $raised; border: none; border-radius: 2px; }
+QProgressBar::chunk { background: $accent; border-radius: 2px; }
+
+QScrollArea, QAbstractScrollArea { background: transparent; border: none; }
+QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
+QScrollBar:horizontal { background: transparent; height: 8px; margin: 0; }
+QScrollBar::handle { background: $line; border-radius: 3px; min-height: 32px; min-width: 32px; margin: 1px; }
+QScrollBar::handle:hover { background: $muted; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+
+QListView, QTreeView, QTableView { background: $panel; border: none; outline: none; }
+QListView::item { min-height: ${row}px; padding: 0 8px; }
+QListView::item:hover { background: $hover; }
+QListView::item:selected { background: $chosen; color: $text; }
+QHeaderView::section { background: $panel; color: $muted; border: none; padding: 4px 8px; }
+
+QLabel[role="muted"] { color: $muted; }
+QLabel[role="heading"] { color: $muted; font-size: ${small}px; }
+QLabel[role="title"] { font-size: 18px; }
+QLabel[role="error"] { color: $error; }
+QWidget[role="panel"] { background: $panel; }
+QFrame[role="card"] { background: $panel; border: 1px solid $line; border-radius: 4px; }
+QFrame[role="line"] { background: $line; border: none; max-height: 1px; min-height: 1px; }
+""")
+
+
+def stylesheet(theme: Theme) -> str:
+    """The rules with the colours of a theme."""
+    return SHEET.substitute(
+        vars(theme),
+        faint=blend(theme.panel, theme.muted, 0.55).name(),
+        chosen=blend(theme.window, theme.accent, 0.32).name(),
+        accent_hover=blend(theme.accent, theme.on_accent, 0.14).name(),
+        small=SMALL_TYPE,
+        row=ROW,
+        field=ROW - 2,
+    )

@@ -1,0 +1,77 @@
+"""A line that takes a number or a sum, opened in place over the control it belongs to."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtWidgets import QLineEdit, QToolTip, QWidget
+
+from app.arithmetic import evaluate
+from app.errors import NumberError
+
+
+class NumberEdit(QLineEdit):
+    """Edits one number; it reports the value once and is then done.
+
+    Signals
+    -------
+    entered(float) : Enter was pressed on something that has a value
+    dismissed() : Esc, or the focus went elsewhere without a valid value
+    """
+
+    entered = Signal(float)
+    dismissed = Signal()
+
+    def __init__(self, parent: QWidget, text: str) -> None:
+        super().__init__(text, parent)
+        self._done = False
+        self.setAccessibleName("Number or sum")
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setGeometry(parent.rect())
+        self.textEdited.connect(self._forgive)
+        self.returnPressed.connect(self.finish)
+        self.selectAll()
+        self.show()
+        self.setFocus(Qt.FocusReason.PopupFocusReason)
+
+    def finish(self) -> None:
+        """Report the value, or say what is wrong with the text and stay open."""
+        if self._done:
+            return
+        try:
+            value = evaluate(self.text())
+        except NumberError as error:
+            self._mark_wrong(True)
+            QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), str(error), self)
+            return
+        self._done = True
+        self.entered.emit(value)
+
+    def dismiss(self) -> None:
+        """Go away without a value."""
+        if not self._done:
+            self._done = True
+            self.dismissed.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Esc leaves; everything else is typing."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.dismiss()
+        else:
+            super().keyPressEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Leaving the line keeps a valid value, as in every other editor."""
+        super().focusOutEvent(event)
+        if event.reason() == Qt.FocusReason.PopupFocusReason:
+            return
+        self.finish()
+        self.dismiss()
+
+    def _forgive(self) -> None:
+        self._mark_wrong(False)
+
+    def _mark_wrong(self, wrong: bool) -> None:
+        self.setProperty("wrong", wrong)
+        self.style().unpolish(self)
+        self.style().polish(self)
