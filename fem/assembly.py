@@ -1,6 +1,7 @@
 """Assembly of the scalar stiffness matrix on a sparsity pattern that is found once per surface."""
 
 from collections.abc import Iterator
+from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -16,7 +17,8 @@ from fem.surface import ChartedSurface
 from fem.tensors import ElementTensors
 from fem.types import FloatArray, IntArray
 
-# Degree of tensor (1) times slope squared (2 + 2): every integrand of the stiffness is integrated exactly.
+# Degree of tensor (1) times slope squared (2 + 2): exact for flat triangles. The Christoffel symbols of a curved
+# surface raise the bending term to degree 7, but add only a term of lower order.
 STIFFNESS_DEGREE = 5
 # Elements handled at once: keeps the arrays of one batch within the cache of one core.
 BATCH = 512
@@ -47,6 +49,12 @@ class Assembler:
         The surface with T triangles.
     element
         HCT-12 or HCT-9.
+
+    Attributes
+    ----------
+    smooth_positions
+        (n_dofs, 3) coefficients of the smooth surface through the vertices, which make bending independent of the
+        chart; None takes each triangle as flat. `smooth_assembler` finds them.
     """
 
     def __init__(self, surface: ChartedSurface, element: Element) -> None:
@@ -54,6 +62,7 @@ class Assembler:
         self.element = element
         self.dofs = DofMap(surface, element)
         self.coefficients = element.coefficients(surface)
+        self.smooth_positions: FloatArray | None = None
 
     @cached_property
     def _pattern(self) -> tuple[IntArray, IntArray, IntArray]:
@@ -64,6 +73,16 @@ class Assembler:
         entries, places = np.unique(keys.ravel(), return_inverse=True)
         starts = np.searchsorted(entries, np.arange(n_dofs + 1) * n_dofs)
         return starts.astype(np.int32), (entries % n_dofs).astype(np.int32), places
+
+    def on_smooth_surface(self, smooth_positions: FloatArray) -> "Assembler":
+        """Return this assembler with (n_dofs, 3) coefficients of a smooth surface, sharing the pattern."""
+        if smooth_positions.shape != (self.dofs.n_dofs, 3):
+            raise FemError(
+                f"The smooth surface must be ({self.dofs.n_dofs}, 3) coefficients, not {smooth_positions.shape}."
+            )
+        other = copy(self)
+        other.smooth_positions = smooth_positions
+        return other
 
     def assemble(self, tensors: ElementTensors) -> Stiffness:
         """Integrate the energy over all triangles.
@@ -102,7 +121,9 @@ class Assembler:
 
     def quadrature(self, degree: int) -> ElementQuadrature:
         """Return the quadrature of the given degree over the parts of this assembler's elements."""
-        return ElementQuadrature(self.surface, self.coefficients, rule_of_degree(degree))
+        smooth = self.smooth_positions
+        geometry = None if smooth is None else smooth[self.dofs.element_dofs]
+        return ElementQuadrature(self.surface, self.coefficients, rule_of_degree(degree), geometry)
 
     def matrix_of(self, element_matrices: FloatArray) -> csc_array:
         """Sum (T, n, n) element matrices into an (n_dofs, n_dofs) CSC matrix."""
@@ -121,9 +142,7 @@ def batches(count: int) -> Iterator[slice]:
         yield slice(start, min(start + BATCH, count))
 
 
-def _energy(
-    rows: FloatArray, barycentric: FloatArray, corners: FloatArray, weights: FloatArray
-) -> FloatArray:
+def _energy(rows: FloatArray, barycentric: FloatArray, corners: FloatArray, weights: FloatArray) -> FloatArray:
     """Return the sum over points of weight * rows^T form rows, symmetric to the last bit.
 
     Parameters

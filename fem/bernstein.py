@@ -14,9 +14,7 @@ EXPONENTS: IntArray = np.array(
     ],
     dtype=np.int64,
 )  # fmt: skip
-_FACTORS: FloatArray = np.array(
-    [6.0 / (factorial(i) * factorial(j) * factorial(k)) for i, j, k in EXPONENTS.tolist()]
-)
+_FACTORS: FloatArray = np.array([6.0 / (factorial(i) * factorial(j) * factorial(k)) for i, j, k in EXPONENTS.tolist()])
 # The six second derivatives, as pairs of barycentric coordinates.
 SECOND_PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 

@@ -5,6 +5,8 @@ import numpy as np
 from fem.assembly import Assembler
 from fem.errors import FemError
 from fem.factor import factorise
+from fem.hct import Element
+from fem.surface import ChartedSurface
 from fem.tensors import element_tensors, uniform_material
 from fem.types import FloatArray
 
@@ -46,3 +48,12 @@ def interpolate_smoothly(assembler: Assembler, values: FloatArray, stretching: f
     # Three values per triangle leave no slope free: this matrix is definite on every surface.
     result[free] = factorise(columns[free]).solve(right)
     return result
+
+
+def smooth_assembler(surface: ChartedSurface, element: Element) -> Assembler:
+    """Return the assembler to solve with: on the smoothest surface through the vertices.
+
+    Its `Assembler.smooth_positions` are the coefficients of that surface, which is also the one to draw.
+    """
+    flat = Assembler(surface, element)
+    return flat.on_smooth_surface(interpolate_smoothly(flat, surface.positions))

@@ -163,9 +163,7 @@ def _corner_masses(assembler: Assembler, elements: IntArray) -> FloatArray:
     weights = assembler.surface.areas[elements, None] * quadrature.weights
     shapes = quadrature.values(elements)
     transposed = np.swapaxes(shapes, 1, 2)
-    corners = [
-        (transposed * (weights * quadrature.barycentric[:, corner])[:, None]) @ shapes for corner in range(3)
-    ]
+    corners = [(transposed * (weights * quadrature.barycentric[:, corner])[:, None]) @ shapes for corner in range(3)]
     return np.stack(corners, axis=1)
 
 
@@ -195,6 +193,4 @@ def _check_blocks(blocks: FloatArray) -> None:
 
 def _check_count(count: int, assembler: Assembler) -> None:
     if count != assembler.surface.n_vertices:
-        raise FemError(
-            f"There are springs for {count} vertices, the surface has {assembler.surface.n_vertices}."
-        )
+        raise FemError(f"There are springs for {count} vertices, the surface has {assembler.surface.n_vertices}.")

@@ -17,7 +17,7 @@ class Support(IntEnum):
     VALUE = 1
     """All three coordinates of the displacement are prescribed; the slopes are free."""
     CLAMPED = 2
-    """Displacement and slopes are prescribed; with HCT-12 also the normal slope of an edge between two such."""
+    """Displacement and slopes are prescribed; with HCT-12 also the normal slope of edges between two such."""
     SLIDING = 3
     """The displacement along a normal is prescribed; within the plane the vertex is free."""
 

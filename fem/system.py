@@ -51,9 +51,7 @@ class SurfaceSystem:
     ) -> None:
         n_dofs = dofs.n_dofs
         if stiffness.shape != (n_dofs, n_dofs):
-            raise FemError(
-                f"The stiffness is {stiffness.shape}, the surface has {n_dofs} degrees of freedom."
-            )
+            raise FemError(f"The stiffness is {stiffness.shape}, the surface has {n_dofs} degrees of freedom.")
         if coupling is not None and coupling.shape != (3 * n_dofs, 3 * n_dofs):
             raise FemError(f"The springs are {coupling.shape}, they must be {(3 * n_dofs, 3 * n_dofs)}.")
         self.dofs = dofs

@@ -56,9 +56,7 @@ class Material:
             bad = np.flatnonzero(~allowed.all(axis=1))
             if len(bad):
                 rule = "finite" if name == "direction" else "finite and not negative"
-                raise FemError(
-                    f"The {name} of vertex {bad[0]} is {array[bad[0]].tolist()}; it must be {rule}."
-                )
+                raise FemError(f"The {name} of vertex {bad[0]} is {array[bad[0]].tolist()}; it must be {rule}.")
             array.setflags(write=False)
             object.__setattr__(self, name, array)
 
@@ -123,15 +121,11 @@ def element_tensors(surface: ChartedSurface, material: Material) -> ElementTenso
         If the material has another number of vertices than the surface.
     """
     if len(material.direction) != surface.n_vertices:
-        raise FemError(
-            f"The material has {len(material.direction)} vertices, the surface {surface.n_vertices}."
-        )
+        raise FemError(f"The material has {len(material.direction)} vertices, the surface {surface.n_vertices}.")
     cosine, sine = _angles(surface, material.direction[surface.triangles])
     stretching = material.stretching[surface.triangles]
     bending = material.bending[surface.triangles]
-    return ElementTensors(
-        _turned_stretching(cosine, sine, stretching), _turned_bending(cosine, sine, bending)
-    )
+    return ElementTensors(_turned_stretching(cosine, sine, stretching), _turned_bending(cosine, sine, bending))
 
 
 def _angles(surface: ChartedSurface, direction: FloatArray) -> tuple[FloatArray, FloatArray]:
