@@ -24,7 +24,7 @@ def unit_title(unit: ActionUnit) -> str:
 
 def unit_muscles(unit: ActionUnit, titles: MuscleTitles) -> tuple[str, ...]:
     """Titles of the muscles that it contracts, the strongest first."""
-    strongest_first = sorted(unit.muscles, key=lambda name: -unit.muscles[name])
+    strongest_first = sorted(unit.muscles, key=lambda name: -abs(unit.muscles[name]))
     return tuple(titles.get(name, name.replace("_", " ")) for name in strongest_first)
 
 

@@ -1,0 +1,1 @@
+"""The window and what ties document, panels and viewport together."""

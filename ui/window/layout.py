@@ -1,0 +1,42 @@
+"""The layout of the window as text: where the docks are and which groups are folded."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+from dataclasses import dataclass, field
+
+VERSION = 1
+"""Raised when docks are added or renamed, so that an older layout is not forced on a newer window."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What is remembered of the window beside its place on the screen.
+
+    Attributes
+    ----------
+    docks : Qt's own state of docks and toolbars
+    folded : keys of the folded groups of action units
+    """
+
+    docks: bytes = b""
+    folded: frozenset[str] = field(default_factory=frozenset)
+
+
+def layout_text(layout: Layout) -> str:
+    """The layout as text."""
+    docks = base64.b64encode(layout.docks).decode()
+    return json.dumps({"version": VERSION, "docks": docks, "folded": sorted(layout.folded)})
+
+
+def layout_from(text: str) -> Layout:
+    """The layout in a text; the default one where the text is of another version or no layout at all."""
+    try:
+        members = json.loads(text)
+        if members["version"] != VERSION:
+            return Layout()
+        return Layout(base64.b64decode(members["docks"], validate=True), frozenset(map(str, members["folded"])))
+    except (ValueError, KeyError, TypeError, binascii.Error):
+        return Layout()

@@ -1,0 +1,80 @@
+"""The bottom line: a hint for the hand, the progress of a solve with its cancel button, and the state of the face."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
+
+from ui.theme.metrics import GRID, ROW
+
+NOTICE_TIME = 6000
+"""Milliseconds for which a notice stands in the place of the hint."""
+
+BAR_WIDTH = 20 * GRID
+STEPS = 1000
+
+
+class StatusLine(QStatusBar):
+    """Bottom line of the window.
+
+    Signals
+    -------
+    cancel_asked() : the button beside the progress bar was pressed
+    """
+
+    cancel_asked = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setSizeGripEnabled(False)
+        self.setContentsMargins(GRID, 0, GRID, 0)
+        self.setFixedHeight(ROW + 4)
+        self._hint = ""
+        self.hint = QLabel()
+        self.hint.setMinimumWidth(0)
+        self.step = QLabel()
+        self.bar = QProgressBar()
+        self.bar.setRange(0, STEPS)
+        self.bar.setTextVisible(False)
+        self.bar.setFixedSize(BAR_WIDTH, GRID - 4)
+        self.bar.setAccessibleName("Progress of solving")
+        self.cancel = QPushButton("Cancel")
+        self.cancel.setProperty("role", "status")
+        self.cancel.setToolTip("Stop solving and keep the last face (Esc)")
+        self.cancel.clicked.connect(self.cancel_asked)
+        self.state = QLabel()
+        self.state.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.addWidget(self.hint, 1)
+        for widget in (self.step, self.bar, self.cancel, self.state):
+            self.addPermanentWidget(widget)
+        self._timer = QTimer(self, singleShot=True, interval=NOTICE_TIME)
+        self._timer.timeout.connect(lambda: self.hint.setText(self._hint))
+        self.end_progress()
+
+    def show_hint(self, text: str) -> None:
+        """What the tool in hand does; it waits while a notice is shown."""
+        self._hint = text
+        if not self._timer.isActive():
+            self.hint.setText(text)
+
+    def notify(self, text: str) -> None:
+        """Something that has just happened, for a few seconds."""
+        self.hint.setText(text)
+        self._timer.start()
+
+    def show_progress(self, text: str, share: float) -> None:
+        """How far a solve is, 0..1."""
+        self.step.setText(text)
+        self.bar.setValue(round(share * STEPS))
+        for widget in (self.step, self.bar, self.cancel):
+            widget.show()
+
+    def end_progress(self) -> None:
+        """Nothing is being solved."""
+        for widget in (self.step, self.bar, self.cancel):
+            widget.hide()
+
+    def show_state(self, text: str, tip: str) -> None:
+        """The state of the face in a few characters, and what they mean."""
+        self.state.setText(text)
+        self.state.setToolTip(tip)
