@@ -50,10 +50,11 @@ def interpolate_smoothly(assembler: Assembler, values: FloatArray, stretching: f
     return result
 
 
-def smooth_assembler(surface: ChartedSurface, element: Element) -> Assembler:
+def smooth_assembler(surface: ChartedSurface, element: Element, stretching: float = 0.0) -> Assembler:
     """Return the assembler to solve with: on the smoothest surface through the vertices.
 
     Its `Assembler.smooth_positions` are the coefficients of that surface, which is also the one to draw.
+    `stretching` is that of `interpolate_smoothly`; above zero the surface overshoots less at tight folds.
     """
     flat = Assembler(surface, element)
-    return flat.on_smooth_surface(interpolate_smoothly(flat, surface.positions))
+    return flat.on_smooth_surface(interpolate_smoothly(flat, surface.positions, stretching))
