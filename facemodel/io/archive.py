@@ -70,10 +70,10 @@ def pack(archive: Archive, member: str) -> bytes:
     Raises
     ------
     DamageError
-        If it holds something that could not be read again.
+        If it holds text or an array that cannot be written.
     """
     try:
-        text = json.dumps(archive.document, indent=1, ensure_ascii=False, allow_nan=False)
+        text = json.dumps(archive.document, indent=1, ensure_ascii=False)
         members = {member: _compact(text).encode()}
         members |= {f"{name}.npy": npy_bytes(archive.arrays[name]) for name in sorted(archive.arrays)}
     except ValueError as error:
@@ -136,9 +136,7 @@ def _check_directory(infos: list[zipfile.ZipInfo], packed: int) -> None:
             )
     total = sum(info.file_size for info in infos)
     if total > LARGEST_ARCHIVE or (total > SUSPECT_SIZE and total > MOST_SHRINKAGE * packed):
-        raise DamageError(
-            "the file", f"would unpack from {packed >> 10} KiB to {total >> 20} MiB, which no face does"
-        )
+        raise DamageError("the file", f"would unpack from {packed >> 10} KiB to {total >> 20} MiB, which no face does")
 
 
 def _member(zipped: zipfile.ZipFile, info: zipfile.ZipInfo) -> bytes:

@@ -57,6 +57,4 @@ def naming(path: Path, failed: str) -> Iterator[None]:
     try:
         yield
     except DamageError as damage:
-        raise ProjectError(
-            f"“{path}” cannot be {failed}: {damage.where} {damage.what}; {damage.remedy}."
-        ) from damage
+        raise ProjectError(f"“{path}” cannot be {failed}: {damage.where} {damage.what}; {damage.remedy}.") from damage

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from facemodel.face import Eye, Face, Jaw, Layers, Part, Skull
 from facemodel.io.damage import DamageError
 from facemodel.io.members import Members
-from facemodel.io.schema import EyeRecord, FaceRecord, JawRecord, PartRecord, Point
+from facemodel.io.records import point_json
+from facemodel.io.schema import FaceRecord, PartRecord
 from facemodel.mesh import Mesh
 from fem.supports import Support
-from fem.types import FloatArray
 
 LARGEST_COORDINATE = 1e5
 """Millimetres; a hundred metres is no head."""
@@ -55,36 +55,20 @@ def _mesh_arrays(place: str, mesh: Mesh) -> dict[str, NDArray[Any]]:
     return {f"{place}/positions": mesh.positions, f"{place}/triangles": mesh.triangles.astype(np.int32)}
 
 
-def face_record(face: Face) -> FaceRecord:
-    """The readable part of a face.
-
-    Raises
-    ------
-    pydantic.ValidationError
-        If a value is out of its range.
-    """
-    return FaceRecord(
-        key=face.key,
-        title=face.title,
-        provenance=face.provenance,
-        landmarks={name: int(vertex) for name, vertex in face.landmarks.items()},
-        eyes=(_eye_record(face.eyes[0]), _eye_record(face.eyes[1])),
-        jaw=JawRecord(
-            axis=(as_point(face.skull.jaw.axis[0]), as_point(face.skull.jaw.axis[1])),
-            teeth=as_point(face.skull.jaw.teeth),
-        ),
-        parts=tuple(PartRecord(name=part.name, kind=part.kind, carrier=part.carrier) for part in face.parts),
-    )
-
-
-def _eye_record(eye: Eye) -> EyeRecord:
-    return EyeRecord(side=eye.side, centre=as_point(eye.centre), radius=float(eye.radius))
-
-
-def as_point(vector: FloatArray) -> Point:
-    """A vector (3,) as three plain numbers."""
-    x, y, z = vector
-    return float(x), float(y), float(z)
+def face_json(face: Face) -> dict[str, Any]:
+    """The readable part of a face: what `FaceRecord` reads."""
+    jaw = face.skull.jaw
+    return {
+        "key": face.key,
+        "title": face.title,
+        "provenance": face.provenance,
+        "landmarks": {name: int(vertex) for name, vertex in face.landmarks.items()},
+        "eyes": [
+            {"side": eye.side, "centre": point_json(eye.centre), "radius": float(eye.radius)} for eye in face.eyes
+        ],
+        "jaw": {"axis": [point_json(condyle) for condyle in jaw.axis], "teeth": point_json(jaw.teeth)},
+        "parts": [{"name": part.name, "kind": part.kind, "carrier": part.carrier} for part in face.parts],
+    }
 
 
 def face_of(record: FaceRecord, arrays: Mapping[str, NDArray[Any]], member: str) -> Face:
@@ -136,9 +120,7 @@ def _mesh(members: Members, place: str) -> Mesh:
 def _landmarks(record: FaceRecord, count: int, member: str) -> dict[str, int]:
     for name, vertex in record.landmarks.items():
         if vertex >= count:
-            raise DamageError(
-                f"{member}, face.landmarks.{name}", f"is {vertex} but the skin has {count} vertices"
-            )
+            raise DamageError(f"{member}, face.landmarks.{name}", f"is {vertex} but the skin has {count} vertices")
     return dict(record.landmarks)
 
 
@@ -186,9 +168,7 @@ def _skull(record: FaceRecord, members: Members, count: int, member: str) -> Sku
 def _layers(members: Members, count: int) -> Layers:
     most = LARGEST_STIFFNESS
     return Layers(
-        direction=members.floats(
-            "face/layers/direction", (count, 3), -LARGEST_COORDINATE, LARGEST_COORDINATE
-        ),
+        direction=members.floats("face/layers/direction", (count, 3), -LARGEST_COORDINATE, LARGEST_COORDINATE),
         stretching=members.floats("face/layers/stretching", (count, 2), 0, most),
         bending=members.floats("face/layers/bending", (count, 3), 0, most),
         stiffness=members.floats("face/layers/stiffness", (count,), 0, most),

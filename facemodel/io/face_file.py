@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ValidationError
 
 from facemodel.face import Face
 from facemodel.io.archive import LARGEST_ARCHIVE, Archive, pack, unpack
 from facemodel.io.damage import naming
 from facemodel.io.disk import read_file, replacing
-from facemodel.io.face_arrays import face_arrays, face_of, face_record
-from facemodel.io.schema import FACE_FORMAT, SCHEMA, FaceDocument, damage_of, parse
+from facemodel.io.face_arrays import face_arrays, face_json, face_of
+from facemodel.io.schema import FACE_FORMAT, SCHEMA, FaceDocument, parse
 
 FACE_MEMBER = "face.json"
 ALWAYS_DOUBLE = {"face/skin/chart"}
@@ -50,14 +49,11 @@ def read_face(path: Path) -> Face:
 
 
 def _face_bytes(face: Face, single: bool) -> bytes:
-    try:
-        document = FaceDocument(format=FACE_FORMAT, schema=SCHEMA, face=face_record(face))
-    except ValidationError as error:
-        raise damage_of(error, "the face") from error
+    document = {"format": FACE_FORMAT, "schema": SCHEMA, "face": face_json(face)}
     arrays = face_arrays(face)
     if single:
         arrays = {name: array if name in ALWAYS_DOUBLE else _single(array) for name, array in arrays.items()}
-    return pack(Archive(document.model_dump(by_alias=True), arrays), FACE_MEMBER)
+    return pack(Archive(document, arrays), FACE_MEMBER)
 
 
 def _single(array: NDArray[Any]) -> NDArray[Any]:

@@ -69,9 +69,7 @@ def npy_array(data: bytes, where: str) -> NDArray[Any]:
     dtype = np.dtype(header["dtype"].decode())
     declared = math.prod(shape) * dtype.itemsize
     if len(shape) > MOST_AXES or declared != len(data) - start - length:
-        raise DamageError(
-            where, f"declares {declared} bytes of numbers but holds {max(0, len(data) - start - length)}"
-        )
+        raise DamageError(where, f"declares {declared} bytes of numbers but holds {max(0, len(data) - start - length)}")
     if dtype == np.bool_ and np.frombuffer(data, np.uint8, offset=start + length).max(initial=0) > 1:
         raise DamageError(where, "holds truth values other than 0 and 1")
     flat = np.frombuffer(data, dtype, offset=start + length)

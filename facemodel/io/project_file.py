@@ -5,25 +5,24 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
-from pydantic import ValidationError
-
 from facemodel.actions import field_names, resolve
 from facemodel.errors import UnknownNameError
 from facemodel.io.archive import LARGEST_ARCHIVE, Archive, pack, unpack
 from facemodel.io.damage import DamageError, naming
 from facemodel.io.disk import read_file, replacing
-from facemodel.io.face_arrays import face_arrays, face_of, face_record
+from facemodel.io.face_arrays import face_arrays, face_json, face_of
 from facemodel.io.records import (
+    emotion_json,
     emotion_of,
-    emotion_record,
+    muscle_json,
     muscle_of,
-    muscle_record,
+    settings_json,
     settings_of,
-    settings_record,
+    unit_json,
     unit_of,
-    unit_record,
+    weights_json,
 )
-from facemodel.io.schema import PROJECT_FORMAT, SCHEMA, ProjectDocument, damage_of, parse
+from facemodel.io.schema import PROJECT_FORMAT, SCHEMA, ProjectDocument, parse
 from facemodel.project import Project
 
 PROJECT_MEMBER = "project.json"
@@ -60,27 +59,24 @@ def load_project(path: Path) -> Project:
 
 
 def project_bytes(project: Project) -> bytes:
-    """The bytes of a project file.
+    """The bytes of a project file; `project_of` tells whether they can be opened again.
 
     Raises
     ------
     DamageError
-        If a value of the project is out of the range that its record allows.
+        If something in the project cannot be written at all.
     """
-    try:
-        document = ProjectDocument(
-            format=PROJECT_FORMAT,
-            schema=SCHEMA,
-            face=face_record(project.face),
-            muscles=tuple(muscle_record(muscle) for muscle in project.muscles),
-            units=tuple(unit_record(unit) for unit in project.units),
-            emotions=tuple(emotion_record(emotion) for emotion in project.emotions),
-            expression={name: float(weight) for name, weight in project.expression.items()},
-            settings=settings_record(project.settings),
-        )
-    except ValidationError as error:
-        raise damage_of(error, "the project") from error
-    return pack(Archive(document.model_dump(by_alias=True), face_arrays(project.face)), PROJECT_MEMBER)
+    document = {
+        "format": PROJECT_FORMAT,
+        "schema": SCHEMA,
+        "face": face_json(project.face),
+        "muscles": [muscle_json(muscle) for muscle in project.muscles],
+        "units": [unit_json(unit) for unit in project.units],
+        "emotions": [emotion_json(emotion) for emotion in project.emotions],
+        "expression": weights_json(project.expression),
+        "settings": settings_json(project.settings),
+    }
+    return pack(Archive(document, face_arrays(project.face)), PROJECT_MEMBER)
 
 
 def project_of(data: bytes) -> Project:
@@ -131,9 +127,7 @@ def _check_references(document: ProjectDocument) -> None:
                     f"names “{name}”, which is no action unit of the project",
                 ) from error
     for name in sorted(document.expression.keys() - set(field_names(units))):
-        raise DamageError(
-            f"{PROJECT_MEMBER}, expression", f"names “{name}”, which is no field of the project"
-        )
+        raise DamageError(f"{PROJECT_MEMBER}, expression", f"names “{name}”, which is no field of the project")
 
 
 def _check_unique(names: list[str], place: str) -> None:

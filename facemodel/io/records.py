@@ -1,54 +1,58 @@
-"""Muscles, action units, emotions and settings as the records of a project document, and back."""
+"""Muscles, action units, emotions and settings as JSON of a project document, and back from checked records."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from facemodel.actions import ActionUnit, Emotion, JawMotion
-from facemodel.io.face_arrays import as_point
-from facemodel.io.schema import (
-    EmotionRecord,
-    FibreRecord,
-    JawMotionRecord,
-    MuscleRecord,
-    SettingsRecord,
-    SphincterRecord,
-    UnitRecord,
-)
+from facemodel.io.schema import EmotionRecord, MuscleRecord, SettingsRecord, SphincterRecord, UnitRecord
 from facemodel.muscles import Fibre, Muscle, Sphincter
 from facemodel.project import Settings
+from fem.types import FloatArray
 
 
-def muscle_record(muscle: Muscle) -> MuscleRecord:
-    """The record of a muscle; raises `pydantic.ValidationError` if a value is out of its range."""
-    return MuscleRecord(
-        name=muscle.name,
-        side=muscle.side,
-        title=muscle.title,
-        group=muscle.group,
-        model=muscle.model,
-        fibres=tuple(
-            FibreRecord(origin=as_point(fibre.origin), attachment=as_point(fibre.attachment))
-            for fibre in muscle.fibres
-        ),
-        ring=None if muscle.ring is None else _ring_record(muscle.ring),
-        width=float(muscle.width),
-        kappa=float(muscle.kappa),
-        strength=float(muscle.strength),
-        count=int(muscle.count),
-    )
+def point_json(vector: FloatArray) -> list[float]:
+    """A vector (3,) as plain numbers."""
+    return [float(x) for x in vector]
 
 
-def _ring_record(ring: Sphincter) -> SphincterRecord:
-    return SphincterRecord(
-        centre=as_point(ring.centre),
-        long_axis=as_point(ring.long_axis),
-        short_axis=as_point(ring.short_axis),
-        sector=as_point(ring.sector),
-        focus=float(ring.focus),
-        inward=float(ring.inward),
-        forward=float(ring.forward),
-    )
+def weights_json(weights: Mapping[str, float]) -> dict[str, float]:
+    """Weights by name as plain numbers."""
+    return {name: float(weight) for name, weight in weights.items()}
+
+
+def muscle_json(muscle: Muscle) -> dict[str, Any]:
+    """What `MuscleRecord` reads."""
+    return {
+        "name": muscle.name,
+        "side": muscle.side,
+        "title": muscle.title,
+        "group": muscle.group,
+        "model": muscle.model,
+        "fibres": [
+            {"origin": point_json(fibre.origin), "attachment": point_json(fibre.attachment)} for fibre in muscle.fibres
+        ],
+        "ring": None if muscle.ring is None else _ring_json(muscle.ring),
+        "width": float(muscle.width),
+        "kappa": float(muscle.kappa),
+        "strength": float(muscle.strength),
+        "count": int(muscle.count),
+    }
+
+
+def _ring_json(ring: Sphincter) -> dict[str, Any]:
+    return {
+        "centre": point_json(ring.centre),
+        "long_axis": point_json(ring.long_axis),
+        "short_axis": point_json(ring.short_axis),
+        "sector": point_json(ring.sector),
+        "focus": float(ring.focus),
+        "inward": float(ring.inward),
+        "forward": float(ring.forward),
+    }
 
 
 def muscle_of(record: MuscleRecord) -> Muscle:
@@ -80,20 +84,19 @@ def _ring_of(record: SphincterRecord) -> Sphincter:
     )
 
 
-def unit_record(unit: ActionUnit) -> UnitRecord:
-    """The record of an action unit; raises `pydantic.ValidationError` if a value is out of its range."""
-    return UnitRecord(
-        number=unit.number,
-        name=unit.name,
-        group=unit.group,
-        paired=unit.paired,
-        muscles={name: float(share) for name, share in unit.muscles.items()},
-        amplitude=float(unit.amplitude),
-        jaw=None
-        if unit.jaw is None
-        else JawMotionRecord(degrees=float(unit.jaw.degrees), slide=float(unit.jaw.slide)),
-        note=unit.note,
-    )
+def unit_json(unit: ActionUnit) -> dict[str, Any]:
+    """What `UnitRecord` reads."""
+    jaw = unit.jaw
+    return {
+        "number": int(unit.number),
+        "name": unit.name,
+        "group": unit.group,
+        "paired": bool(unit.paired),
+        "muscles": weights_json(unit.muscles),
+        "amplitude": float(unit.amplitude),
+        "jaw": None if jaw is None else {"degrees": float(jaw.degrees), "slide": float(jaw.slide)},
+        "note": unit.note,
+    }
 
 
 def unit_of(record: UnitRecord) -> ActionUnit:
@@ -110,11 +113,9 @@ def unit_of(record: UnitRecord) -> ActionUnit:
     )
 
 
-def emotion_record(emotion: Emotion) -> EmotionRecord:
-    """The record of an emotion; raises `pydantic.ValidationError` if a value is out of its range."""
-    return EmotionRecord(
-        name=emotion.name, weights={name: float(weight) for name, weight in emotion.weights.items()}
-    )
+def emotion_json(emotion: Emotion) -> dict[str, Any]:
+    """What `EmotionRecord` reads."""
+    return {"name": emotion.name, "weights": weights_json(emotion.weights)}
 
 
 def emotion_of(record: EmotionRecord) -> Emotion:
@@ -122,9 +123,9 @@ def emotion_of(record: EmotionRecord) -> Emotion:
     return Emotion(record.name, dict(record.weights))
 
 
-def settings_record(settings: Settings) -> SettingsRecord:
-    """The record of the settings; raises `pydantic.ValidationError` if a value is out of its range."""
-    return SettingsRecord(element=settings.element, density=settings.density)
+def settings_json(settings: Settings) -> dict[str, Any]:
+    """What `SettingsRecord` reads."""
+    return {"element": settings.element, "density": int(settings.density)}
 
 
 def settings_of(record: SettingsRecord) -> Settings:

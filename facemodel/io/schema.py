@@ -185,7 +185,7 @@ def parse(raw: Mapping[str, Any], kind: type[Document], format_: str, member: st
     try:
         return kind.model_validate_json(json.dumps(document))
     except ValidationError as error:
-        raise damage_of(error, member) from error
+        raise _damage(error, member) from error
 
 
 def _upgraded(document: dict[str, Any], member: str) -> dict[str, Any]:
@@ -203,7 +203,7 @@ def _upgraded(document: dict[str, Any], member: str) -> dict[str, Any]:
     return document
 
 
-def damage_of(error: ValidationError, member: str) -> DamageError:
+def _damage(error: ValidationError, member: str) -> DamageError:
     """The first complaint of pydantic as one sentence with its place."""
     first = error.errors(include_url=False, include_input=False)[0]
     place = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"]).lstrip(".")
