@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -11,7 +12,8 @@ from pydantic import ValidationError
 from facemodel.actions import ActionUnit
 from facemodel.errors import ProjectError
 from facemodel.io.disk import replacing
-from facemodel.io.records import muscle_of, muscle_record
+from facemodel.io.readable import readable
+from facemodel.io.records import muscle_json, muscle_of
 from facemodel.io.schema import MuscleRecord, Name, Record, Weight
 from facemodel.muscles import Muscle
 
@@ -65,10 +67,10 @@ def read_atlas(path: Path) -> Atlas:
 
 def write_atlas(atlas: Atlas, provenance: str, path: Path) -> None:
     """Write an atlas as JSON."""
-    document = AtlasDocument(
-        provenance=provenance,
-        gains={str(number): gain for number, gain in atlas.gains.items()},
-        muscles=tuple(muscle_record(muscle) for muscle in atlas.muscles),
-    )
+    document = {
+        "provenance": provenance,
+        "gains": {str(number): gain for number, gain in atlas.gains.items()},
+        "muscles": [muscle_json(muscle) for muscle in atlas.muscles],
+    }
     with replacing(path) as stream:
-        stream.write(document.model_dump_json(indent=1).encode())
+        stream.write(json.dumps(document, indent=1, ensure_ascii=False).encode())

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from facemodel.io.damage import DamageError
 from facemodel.io.npy import npy_array, npy_bytes
+from facemodel.io.readable import readable
 
 LARGEST_ARCHIVE = 1 << 30
 """Bytes of all members together, unpacked; a scan of a million vertices takes a quarter of it."""
@@ -73,8 +74,7 @@ def pack(archive: Archive, member: str) -> bytes:
         If it holds text or an array that cannot be written.
     """
     try:
-        text = json.dumps(archive.document, indent=1, ensure_ascii=False)
-        members = {member: _compact(text).encode()}
+        members = {member: readable(archive.document)}
         members |= {f"{name}.npy": npy_bytes(archive.arrays[name]) for name in sorted(archive.arrays)}
     except ValueError as error:
         raise DamageError(member, f"cannot be written: {error}") from error
@@ -168,8 +168,3 @@ def _unique_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(keys) < len(pairs):
         raise ValueError("a key is there twice")
     return keys
-
-
-def _compact(text: str) -> str:
-    """Lists of plain numbers on one line each; a raw line break never stands inside a JSON string."""
-    return re.sub(r"\[\n\s*([-+.\deE,\s]+?)\s*\]", lambda m: f"[{' '.join(m[1].split())}]", text)
