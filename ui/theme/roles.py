@@ -48,7 +48,7 @@ DARK = Theme(
     window="#1f2226",
     panel="#262a30",
     raised="#30353c",
-    hover="#3a4048",
+    hover="#343940",
     line="#3b424a",
     text="#e6e8eb",
     muted="#9aa3ad",
@@ -59,7 +59,7 @@ DARK = Theme(
     both="#98a4b2",
     ok="#6cc08b",
     warn="#e8b949",
-    error="#e5645e",
+    error="#e96f69",
 )
 
 LIGHT = Theme(

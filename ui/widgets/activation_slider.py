@@ -146,9 +146,13 @@ class ActivationSlider(QAbstractSlider):
             self.set_now(self.value() / PERCENT)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold."""
+        """Take hold; the right button resets, or cancels a drag that is under way."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._drag = Drag(event.position().x(), self._weights, self.weight)
+        elif event.button() == Qt.MouseButton.RightButton and self._drag is not None:
+            self.cancel()
+        elif event.button() == Qt.MouseButton.RightButton:
+            self.reset()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """The fill follows the pointer."""
@@ -174,11 +178,7 @@ class ActivationSlider(QAbstractSlider):
             self.edit()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A right click resets, unless a drag is under way, which it cancels."""
-        if self._drag is not None:
-            self.cancel()
-        elif event.reason() == QContextMenuEvent.Reason.Mouse:
-            self.reset()
+        """No menu: the right button has a meaning of its own."""
         event.accept()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
