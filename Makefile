@@ -40,7 +40,7 @@ lock: setup
 
 clean:
 	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache output benchmarks/results
-	find app facemodel fem ui resources tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 setup:
 	@.ci/system run
