@@ -1,7 +1,7 @@
-"""Named places of the skin: where craniofacial tables measure the depth of tissue, and where muscles attach.
+"""Named places of the skin: where tables measure the depth of tissue, and where muscles attach.
 
-Every shipped person is the same base mesh in another shape, so a landmark is one vertex for all of them. It is given
-by where it lies on the base shape, which does not change when the skin is cut or numbered anew.
+Every shipped person is the same base mesh in another shape, so a landmark is one vertex for all of them. It is
+given by where it lies on the base shape, which does not change when the skin is cut or numbered anew.
 """
 
 from __future__ import annotations
@@ -61,10 +61,10 @@ PAIRED: Mapping[str, tuple[float, float, float]] = {
     "lower_second_molar": (50.9, 651.1, 104.2),
     "tragus": (73.0, 704.9, 61.9),
 }
-"""Landmarks of the subject's left side; the right one is the mirrored vertex.  Lid points lie on the lid margins."""
+"""Landmarks of the subject's left side; the right one is the mirrored vertex.  Lid points lie on the margins."""
 
 REACH = 0.5
-"""Millimetres: a landmark farther than this from every vertex means that the base mesh is not the one measured."""
+"""Millimetres: a landmark farther than this from every vertex means that the base mesh is another one."""
 
 
 def _vertex_at(name: str, place: tuple[float, float, float], positions: FloatArray) -> int:
@@ -72,7 +72,7 @@ def _vertex_at(name: str, place: tuple[float, float, float], positions: FloatArr
     vertex = int(distance.argmin())
     if distance[vertex] > REACH:
         raise FaceError(
-            f"The landmark {name} has no vertex near {place} (the nearest is {distance[vertex]:.1f} mm away); "
+            f"The landmark {name} has no vertex near {place} (the nearest is {distance[vertex]:.1f} mm off); "
             "the landmarks fit the hm08 base mesh in its base shape, in millimetres."
         )
     return vertex
@@ -108,5 +108,5 @@ def find_landmarks(positions: FloatArray, mirror: IntArray) -> dict[str, int]:
 
 
 def landmarks(cut: Cut, base_positions: FloatArray) -> dict[str, int]:
-    """Landmarks of the skin that ``cut`` takes from the base mesh; ``base_positions`` (V, 3) in its base shape."""
+    """Landmarks of the skin that ``cut`` takes from the base mesh, whose base shape is (V, 3)."""
     return find_landmarks(cut.positions(base_positions), cut.mirror)

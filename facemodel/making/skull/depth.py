@@ -1,0 +1,145 @@
+"""How deep the bone lies under the face: tables of soft-tissue depth, spread smoothly over the skin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import igl
+import numpy as np
+from scipy.interpolate import RBFInterpolator
+
+from facemodel.face import Eye
+from facemodel.making.landmarks import MIDLINE
+from facemodel.making.skull.envelope import envelope, face_size, inward
+from facemodel.mesh import Mesh
+from fem.types import FloatArray, IntArray
+
+DEPTHS: Mapping[str, float] = {
+    "supraglabella": 4.5,
+    "glabella": 4.5,
+    "nasion": 7.0,
+    "rhinion": 2.5,
+    "mid_philtrum": 10.0,
+    "upper_lip_incisor": 11.0,
+    "lower_lip_incisor": 12.0,
+    "chin_lip_fold": 10.0,
+    "pogonion": 13.0,
+    "menton": 8.0,
+    "frontal_eminence": 4.0,
+    "supraorbital": 8.5,
+    "suborbital": 6.0,
+    "inferior_malar": 12.0,
+    "lateral_orbit": 11.0,
+    "zygion": 7.0,
+    "supraglenoid": 6.0,
+    "gonion": 10.0,
+    "upper_second_molar": 26.0,
+    "mid_masseter": 17.5,
+    "lower_second_molar": 19.5,
+}
+"""Skin to bone at landmarks of adults, millimetres: Rhine and Taylor, but for the molars the later table, whose
+deeper cheeks leave the tooth rows the width of a dental arch."""
+
+SCALP = 5.5
+TEMPLE = 14.0
+EAR = 9.0
+LID = 5.0
+NOSE = 5.0
+SUBMENTAL = 16.0
+NECK = 25.0
+"""Millimetres where the tables are silent: scalp, temporal fossa, under ear, lids and nostrils (below the fair
+surface), floor of the mouth, and the neck, whose column stands in for bone."""
+
+
+def sided(name: str) -> tuple[str, ...]:
+    """The landmark's name, or its names on both sides."""
+    return (name,) if name in MIDLINE else (f"{name}_L", f"{name}_R")
+
+
+def table() -> dict[str, float]:
+    """Depth by landmark, both sides written out."""
+    return {full: depth for name, depth in DEPTHS.items() for full in sided(name)}
+
+
+def _extra_sites(
+    surface: Mesh, skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]
+) -> tuple[FloatArray, FloatArray]:
+    """Places (n, 3) on the fair surface where no table speaks, and their depths (n,)."""
+    size = face_size(skin, landmarks)
+    at = {name: surface.positions[vertex] for name, vertex in landmarks.items()}
+    middle = (at["tragus_L"] + at["tragus_R"]) / 2 + [0.0, 55 * size, 0.0]
+    rays = [(0.0, 1, 0), (0, 1, 1), (0, 1, -1.0), (0, 0.1, -1), (1, 0.7, 0), (-1, 0.7, 0), (1, 1, 1), (-1, 1, 1)]
+    rays += [(1, 0.2, -1), (-1, 0.2, -1), (1, 0.8, -0.6), (-1, 0.8, -0.6), (0, 0.6, 1)]
+    out = surface.positions - middle
+    out /= np.linalg.norm(out, axis=1, keepdims=True)
+    scalp = [int((out @ (np.array(ray) / np.linalg.norm(ray))).argmax()) for ray in rays]
+    sites = [(surface.positions[v], SCALP) for v in scalp]
+    for side in "LR":
+        temple = (at[f"brow_outer_{side}"] + at[f"supraglenoid_{side}"]) / 2
+        sites += [(temple, TEMPLE), (at[f"tragus_{side}"] - [0.0, 0.0, 12 * size], EAR)]
+        sites += [(at[f"ala_{side}"], NOSE)]
+    sites += [(eye.centre + np.array([0.0, 0.0, eye.radius]), LID) for eye in eyes]
+    throat = at["menton"] - [0.0, 0.0, 38 * size]
+    sites.append((throat, SUBMENTAL))
+    rim: IntArray = skin.boundary_loops[-1]
+    low = surface.positions[rim[:: max(1, len(rim) // 16)]]
+    sites += [(point, NECK) for point in low]
+    sites += [(point + np.array([0.0, 35 * size, 0.0]), NECK) for point in low if point[2] < at["tragus_L"][2]]
+    return np.array([site for site, _ in sites]), np.array([depth for _, depth in sites])
+
+
+class BoneEnvelope:
+    """The fair surface and, under it, the smooth surface on which all bone ends.
+
+    Attributes
+    ----------
+    outer : the fair surface, see `envelope`
+    inner : the same triangles on the bone
+    anchors : (N, 3) for each skin vertex the place below it on ``inner``
+    """
+
+    outer: Mesh
+    inner: Mesh
+    anchors: FloatArray
+
+    def __init__(self, skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) -> None:
+        self.outer = envelope(skin, landmarks, eyes)
+        direction = inward(self.outer)
+        places, depths = _extra_sites(self.outer, skin, landmarks, eyes)
+        wanted = table()
+        vertices = np.array([landmarks[name] for name in wanted])
+        target = np.array(list(wanted.values()))
+        sites = np.concatenate([self.outer.positions[vertices], places])
+        values = np.concatenate([target, depths])
+        for _ in range(ROUNDS):
+            spread = RBFInterpolator(sites, np.log(values + LIFT), kernel="thin_plate_spline", degree=1)
+            depth = np.minimum(np.exp(spread(self.outer.positions)) - LIFT, NECK)
+            self.inner = self.outer.moved(self.outer.positions + depth[:, None] * direction)
+            measured = np.linalg.norm(self._below(skin.positions[vertices]) - skin.positions[vertices], axis=1)
+            values[: len(vertices)] = np.maximum(values[: len(vertices)] + target - measured, 1 - LIFT)
+        self.anchors = self._anchors(skin, vertices, target)
+
+    def _below(self, points: FloatArray) -> FloatArray:
+        _, _, closest = igl.point_mesh_squared_distance(points, self.inner.positions, self.inner.triangles)
+        return np.asarray(closest)
+
+    def _anchors(self, skin: Mesh, vertices: IntArray, target: FloatArray) -> FloatArray:
+        down = self._below(skin.positions) - skin.positions
+        degree = np.asarray(skin.adjacency.sum(axis=1))[:, None]
+        for _ in range(SMOOTHINGS):
+            down = (down + skin.adjacency @ down / degree) / 2
+        missed = np.log(target / np.linalg.norm(down[vertices], axis=1))
+        mend = RBFInterpolator(self.outer.positions[vertices], missed, kernel="gaussian", epsilon=1 / 15.0)
+        length = np.exp(np.asarray(mend(self.outer.positions[: len(down)])))
+        return np.asarray(skin.positions + length[:, None] * down)
+
+
+LIFT = 6.0
+"""Millimetres: the logarithm of the depth and this is spread, which keeps the bone from standing out of the face;
+under a proud lip it may rise a little above the fair surface."""
+
+ROUNDS = 5
+"""Corrections of the depths so that the bone, not the offset, keeps the table's distance from the skin."""
+
+SMOOTHINGS = 8
+"""Averaging rounds of the springs' directions over neighbours."""

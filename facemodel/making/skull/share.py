@@ -1,0 +1,78 @@
+"""Which part of the skin hangs on the mandible."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import pairwise
+
+import numpy as np
+from scipy.sparse import csc_array, diags_array
+from scipy.sparse.linalg import splu
+
+from facemodel.making.landmarks import PAIRED
+from facemodel.making.skull.frame import Frame
+from facemodel.mesh import Mesh
+from fem.types import FloatArray, IntArray
+
+BAND = 22.0
+"""Millimetres over which the cheek passes from the cranium to the mandible."""
+
+BEHIND = 55.0, 0.2
+"""The hind border of the ramus on the measured head: its z at the height of the ear, and how z grows downwards."""
+
+NEAR_BORDER, FADE = 10.0, 34.0
+"""Below the lower border the skin follows the jaw this far, and lets go of it over this length (millimetres)."""
+
+
+def smooth_step(x: FloatArray) -> FloatArray:
+    """0 below 0, 1 above 1, with level ends."""
+    t = np.clip(x, 0.0, 1.0)
+    return t * t * (3 - 2 * t)
+
+
+def lips(skin: Mesh, landmarks: Mapping[str, int]) -> tuple[IntArray, IntArray]:
+    """The mouth loop's vertices of the upper and of the lower lip, without the corners."""
+    ends = [landmarks["mouth_corner_L"], landmarks["mouth_corner_R"]]
+    loop = next(loop for loop in skin.boundary_loops if np.isin(ends, loop).all())
+    first, second = sorted(int(np.flatnonzero(loop == end)[0]) for end in ends)
+    one, other = loop[first + 1 : second], np.concatenate([loop[second + 1 :], loop[:first]])
+    return (one, other) if landmarks["upper_lip_mid"] in one else (other, one)
+
+
+def _neck_hold(skin: Mesh, border: FloatArray) -> FloatArray:
+    """1 where skin is at the mandible, falling to 0 down the neck; ``border`` (n, 3) runs gonion, menton, gonion."""
+    p = skin.positions
+    gap = np.full(len(p), np.inf)
+    for a, b in pairwise(border):
+        t = np.clip((p - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
+        gap = np.minimum(gap, np.linalg.norm(p - a - t[:, None] * (b - a), axis=1))
+    up = np.cross(border[-1] - border[0], border[len(border) // 2] - border[0])
+    above = (p - border[0]) @ (up / np.linalg.norm(up) * -np.sign(up[1]))
+    gap *= smooth_step(above / 12.0 + 1.0)
+    return 1 - smooth_step((gap - NEAR_BORDER) / FADE)
+
+
+def jaw_share(skin: Mesh, landmarks: Mapping[str, int], frame: Frame) -> FloatArray:
+    """Share (N,) of the mandible in what each skin vertex hangs on: 1 on chin and lower lip, 0 on the midface.
+
+    The share is harmonic on the graph of the skin across the band of the cheek between the two, so that it jumps
+    at the slit of the mouth and nowhere else, and its ends are levelled.
+    """
+    q = frame.measured(skin.positions)
+    corner, ear = np.array(PAIRED["mouth_corner"])[1:], np.array(PAIRED["tragus"])[1:]
+    along = (corner - ear) / np.linalg.norm(corner - ear)
+    below = (q[:, 2] - ear[1]) * along[0] - (q[:, 1] - ear[0]) * along[1]
+    hind = q[:, 2] - BEHIND[0] - BEHIND[1] * (ear[0] - q[:, 1])
+    territory = np.minimum(below, hind)
+    fixed = np.abs(territory) > BAND / 2
+    value = (territory > 0).astype(np.float64)
+    corner_x = abs(skin.positions[landmarks["mouth_corner_L"], 0])
+    for lip, share in zip(lips(skin, landmarks), (0.0, 1.0), strict=True):
+        held = lip[np.abs(skin.positions[lip, 0]) < 0.85 * corner_x]
+        fixed[held], value[held] = True, share
+    free = ~fixed
+    degree = np.asarray(skin.adjacency.sum(axis=1)).ravel()
+    laplacian = csc_array(diags_array(degree) - skin.adjacency)
+    value[free] = splu(laplacian[free][:, free].tocsc()).solve(-laplacian[free][:, fixed] @ value[fixed])
+    at = skin.positions[[landmarks[n] for n in ("gonion_L", "menton", "gonion_R")]]
+    return smooth_step(value) * _neck_hold(skin, at)
