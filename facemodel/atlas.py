@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -73,4 +72,4 @@ def write_atlas(atlas: Atlas, provenance: str, path: Path) -> None:
         "muscles": [muscle_json(muscle) for muscle in atlas.muscles],
     }
     with replacing(path) as stream:
-        stream.write(json.dumps(document, indent=1, ensure_ascii=False).encode())
+        stream.write(readable(document))

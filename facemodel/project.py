@@ -20,8 +20,8 @@ class Settings:
     density : segments into which each element's edge is cut for drawing
     """
 
-    element: Literal["hct9", "hct12"] = "hct9"
-    density: int = 2
+    element: Literal["hct9", "hct12"] = "hct12"
+    density: int = 3
 
 
 @dataclass(frozen=True, eq=False)

@@ -30,12 +30,26 @@ tight folds of lips and ears, and a membrane of seven millimetres' reach calms t
 
 
 @dataclass(frozen=True, eq=False)
+class HeadSurface:
+    """The smooth surface of a whole head: the thin plate of the element through the skin's vertices.
+
+    Attributes
+    ----------
+    assembler : of all triangles of the skin
+    coefficients : (n_dofs, 3) of the surface in the element
+    """
+
+    assembler: Assembler
+    coefficients: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
 class SolvedRegion:
     """The part of the skin that the finite elements move.
 
     Attributes
     ----------
-    assembler : of the solved triangles
+    assembler : of the solved triangles, bending measured on the head's smooth surface
     vertices : (n,) skin vertex of each of its vertices
     """
 
@@ -43,37 +57,43 @@ class SolvedRegion:
     vertices: IntArray
 
 
-def solved_region(face: Face, element: Element) -> SolvedRegion:
+def head_surface(face: Face, element: Element) -> HeadSurface:
+    """The smooth surface of a face, solved part and held rest in one, so that they join with the same tangents."""
+    assembler = Assembler(ChartedSurface(face.skin.positions, face.skin.triangles, face.chart), element)
+    return HeadSurface(assembler, interpolate_smoothly(assembler, face.skin.positions, MEMBRANE))
+
+
+def solved_region(face: Face, head: HeadSurface) -> SolvedRegion:
     """The solved triangles of a face as a charted surface of their own."""
     mesh, vertices = submesh(face.skin, face.solved)
     surface = ChartedSurface(mesh.positions, mesh.triangles, face.chart[vertices])
-    return SolvedRegion(Assembler(surface, element), vertices)
+    assembler = Assembler(surface, head.assembler.element)
+    rows = (3 * vertices[:, None] + np.arange(3)).ravel()
+    if assembler.element.dofs_per_edge:
+        count = len(face.skin.positions)
+        whole, part = head.assembler.surface.edges, vertices[surface.edges]
+        edge = np.searchsorted(whole[:, 0] * count + whole[:, 1], part[:, 0] * count + part[:, 1])
+        rows = np.concatenate([rows, 3 * count + edge])
+    return SolvedRegion(assembler.on_smooth_surface(head.coefficients[rows]), vertices)
 
 
-def display_surface(face: Face, element: Element, density: int) -> DisplaySurface:
-    """Sample the smooth surface through the skin's vertices, ``density`` segments per edge.
-
-    The surface is the smoothest one of the element itself (the thin plate through the vertices), over the whole
-    head, so that the solved face joins the held rest with the same tangent planes.
-    """
-    assembler = Assembler(ChartedSurface(face.skin.positions, face.skin.triangles, face.chart), element)
+def display_surface(face: Face, head: HeadSurface, density: int) -> DisplaySurface:
+    """Sample the smooth surface of a head, ``density`` segments per edge of an element."""
     grid = subdivide(face.skin.triangles, density)
-    coefficients = interpolate_smoothly(assembler, face.skin.positions, MEMBRANE)
     moving = face.solved[grid.elements]
     order = np.argsort(~moving, kind="stable")
     number = np.empty_like(order)
     number[order] = np.arange(len(order))
     elements, barycentric = grid.elements[order], grid.barycentric[order]
-    sample = sample_operators(assembler, elements, barycentric)
-    d_u, d_v = sample.d_u @ coefficients, sample.d_v @ coefficients
+    sample = sample_operators(head.assembler, elements, barycentric)
+    d_u, d_v = sample.d_u @ head.coefficients, sample.d_v @ head.coefficients
     normals = np.cross(d_u, d_v)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     count = int(moving.sum())
-    slopes = np.concatenate([d_u[:count].T, d_v[:count].T])
     return DisplaySurface(
-        points=(sample.value @ coefficients).astype(np.float32),
+        points=(sample.value @ head.coefficients).astype(np.float32),
         normals=normals.astype(np.float32),
-        slopes=np.ascontiguousarray(slopes, dtype=np.float32),
+        slopes=np.concatenate([d_u[:count].T, d_v[:count].T]).astype(np.float32),
         triangles=number[grid.triangles],
         moving=count,
         elements=elements,

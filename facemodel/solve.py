@@ -18,10 +18,12 @@ from facemodel.mesh import Mesh
 from facemodel.project import Project
 from facemodel.sampling import (
     ELEMENTS,
+    HeadSurface,
     SolvedRegion,
     carried_points,
     display_surface,
     field_sampler,
+    head_surface,
     solved_region,
 )
 from facemodel.tissue import tissue_springs
@@ -69,12 +71,14 @@ class FaceSystem:
 
     Attributes
     ----------
-    region : the solved part of the skin
+    head : the smooth surface of the whole skin
+    region : the solved part of it
     system : its stiffness, springs and supports
     names : M field names
     loads : (n_dofs, 3, M) consistent loads at activation 1
     """
 
+    head: HeadSurface
     region: SolvedRegion
     system: SurfaceSystem
     names: tuple[str, ...]
@@ -94,7 +98,8 @@ def face_system(project: Project) -> FaceSystem:
         If the supports and springs leave part of the face loose.
     """
     face = project.face
-    region = solved_region(face, ELEMENTS[project.settings.element])
+    head = head_surface(face, ELEMENTS[project.settings.element])
+    region = solved_region(face, head)
     assembler, vertices = region.assembler, region.vertices
     layers = face.layers
     material = Material(layers.direction[vertices], layers.stretching[vertices], layers.bending[vertices])
@@ -106,7 +111,7 @@ def face_system(project: Project) -> FaceSystem:
     except SingularSystemError as error:
         raise loose_face(error, vertices) from error
 
-    names, forces = field_forces(project.units, project.muscles, Mesh(face.skin.positions, face.skin.triangles))
+    names, forces = field_forces(project.units, project.muscles, face.skin)
     on_region = forces[:, vertices]
     jaw_of = {name: unit for unit in project.units for name in unit.fields if unit.jaw}
     for row, name in enumerate(names):
@@ -114,7 +119,7 @@ def face_system(project: Project) -> FaceSystem:
             on_region[row] += jaw_forces(face, jaw_of[name], springs, anchors, jawbone)
     flat = on_region.transpose(1, 2, 0).reshape(len(vertices), -1)
     loads = np.asarray(load_operator(assembler) @ flat).reshape(-1, 3, len(names))
-    return FaceSystem(region, system, names, loads)
+    return FaceSystem(head, region, system, names, loads)
 
 
 def supports(face: Face, region: SolvedRegion) -> Supports:
@@ -166,7 +171,7 @@ def solve_project(project: Project, progress: Progress = silent) -> Solution:
     )
     clock.lap("solve")
     progress("Sampling the smooth surface", 0.82)
-    basis = sampled_basis(project, assembled.region, assembled.names, fields)
+    basis = sampled_basis(project, assembled, fields)
     clock.lap("sample")
     progress(f"Solved {total} fields", 1.0)
     figures = chart_figures(*_solved_chart(project.face))
@@ -177,10 +182,10 @@ def _solved_chart(face: Face) -> tuple[Mesh, FloatArray]:
     return Mesh(face.skin.positions, face.skin.triangles[face.solved]), face.chart
 
 
-def sampled_basis(project: Project, region: SolvedRegion, names: tuple[str, ...], fields: FloatArray) -> Basis:
+def sampled_basis(project: Project, assembled: FaceSystem, fields: FloatArray) -> Basis:
     """Sample coefficients (n_dofs, 3, M) on what is drawn."""
-    face = project.face
-    display = display_surface(face, region.assembler.element, project.settings.density)
+    face, region, names = project.face, assembled.region, assembled.names
+    display = display_surface(face, assembled.head, project.settings.density)
     sample = field_sampler(face, display, region)
     flat = fields.reshape(len(fields), -1)
     at_vertices = np.zeros((len(face.skin.positions), flat.shape[1]))

