@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from psygnal import Signal
 
-from app.commands import Command, set_weights
+from app.commands import Command, ReplaceProject, set_weights
 from app.differences import same_but_expression, same_content, same_solution
 from app.history import History
 from app.weights import checked_weights, emotion_weights, whole_expression, with_weights
@@ -16,9 +15,8 @@ from facemodel.actions import Expression
 from facemodel.errors import ProjectError
 from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
-
-if TYPE_CHECKING:
-    from facemodel.solve import Solution
+from facemodel.projects import new_project
+from facemodel.solve import Solution
 
 
 class Document:
@@ -170,6 +168,17 @@ class Document:
     def reset_expression(self) -> None:
         """All weights to zero, in one step."""
         self.set_expression({}, "Neutral face")
+
+    def switch_face(self, face_key: str) -> None:
+        """Go to another individual and keep the expression, in one step."""
+        other = new_project(face_key)
+        self.commit()
+        kept = {name: weight for name, weight in self._project.expression.items() if weight != 0}
+        self._do(ReplaceProject(other.face.title, self._project, other.posed(kept)))
+
+    def new(self, face_key: str) -> None:
+        """Begin a project on one of the shipped faces; history and file are forgotten."""
+        self._begin(new_project(face_key), None)
 
     def open(self, path: Path) -> None:
         """Read a project; if that fails all stays as it was."""

@@ -16,9 +16,7 @@ PAIR = re.compile(r"\s*([^=]+?)\s*[=:]\s*([^\s;=]+?)(?:[\s;]+|,(?=\s|$)|$)")
 def format_expression(expression: Expression, units: Sequence[ActionUnit]) -> str:
     """The weights in the order of the units, so exactly that `parse_expression` returns the same."""
     order = {name: place for place, name in enumerate(field_names(units))}
-    active = sorted(
-        (name for name in expression if expression[name] != 0), key=lambda n: order.get(n, len(order))
-    )
+    active = sorted((name for name in expression if expression[name] != 0), key=lambda n: order.get(n, len(order)))
     return " ".join(f"{name}={expression[name]!r}" for name in active) or NEUTRAL
 
 

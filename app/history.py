@@ -64,9 +64,7 @@ class History:
         """
         if self._saved is not None and self._saved > len(self._done):
             self._saved = None
-        joined = (
-            self._done[-1].joined(command) if self._done and not self._undone and not self.at_saved else None
-        )
+        joined = self._done[-1].joined(command) if self._done and not self._undone and not self.at_saved else None
         self._undone.clear()
         if joined is not None:
             self._done.pop()
