@@ -1,0 +1,45 @@
+"""The one table of everything that can be done."""
+
+from __future__ import annotations
+
+from app.actions.action import Action
+from app.actions.content import content_actions
+from app.actions.context import Context
+from app.actions.edit import EDIT_ACTIONS
+from app.actions.files import FILE_ACTIONS, new_actions, recent_actions
+from app.actions.looking import LOOKING_ACTIONS
+from app.actions.solving import SOLVING_ACTIONS, face_actions
+from app.actions.window import WINDOW_ACTIONS
+from facemodel.errors import UnknownNameError
+
+MENUS = ("File", "Edit", "View", "Face", "Solve", "Window", "Help")
+"""The menu bar, from left to right."""
+
+
+def all_actions(context: Context) -> tuple[Action, ...]:
+    """Everything that can be done, in the order of the menus; other after any of `table_signals`."""
+    return (
+        *new_actions(),
+        *recent_actions(context),
+        *FILE_ACTIONS,
+        *EDIT_ACTIONS,
+        *LOOKING_ACTIONS,
+        *face_actions(),
+        *SOLVING_ACTIONS,
+        *WINDOW_ACTIONS,
+        *content_actions(context.document.project),
+    )
+
+
+def find_action(action_id: str, context: Context) -> Action:
+    """The action with that id.
+
+    Raises
+    ------
+    UnknownNameError
+        If there is none.
+    """
+    for action in all_actions(context):
+        if action.id == action_id:
+            return action
+    raise UnknownNameError(f"There is no action “{action_id}”; the keyboard shortcuts list them all.")
