@@ -164,7 +164,8 @@ def _corner_masses(assembler: Assembler, elements: IntArray) -> FloatArray:
     shapes = quadrature.values(elements)
     transposed = np.swapaxes(shapes, 1, 2)
     corners = [(transposed * (weights * quadrature.barycentric[:, corner])[:, None]) @ shapes for corner in range(3)]
-    return np.stack(corners, axis=1)
+    masses = np.stack(corners, axis=1)
+    return np.asarray(0.5 * (masses + np.swapaxes(masses, 2, 3)))
 
 
 def _block_matrix(entries: list[csc_array]) -> csc_array:

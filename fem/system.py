@@ -8,9 +8,9 @@ from scipy.sparse.csgraph import connected_components
 
 from fem.dofs import DofMap
 from fem.errors import FemError, SingularSystemError
-from fem.factor import Factor, LooseMatrixError, factorise, loosest
+from fem.factor import Factor, LooseMatrixError, factorise
 from fem.supports import Supports
-from fem.types import BoolArray, FloatArray
+from fem.types import BoolArray, FloatArray, IntArray
 
 # Loads solved between two calls of the progress callback: large enough that the factors are streamed from
 # memory once for many, small enough that cancelling is felt as immediate.
@@ -94,11 +94,11 @@ class SurfaceSystem:
         try:
             self._factor = factorise(self._stiff_free)
         except LooseMatrixError as error:
-            owner = self.dofs.vertex_of(self._free // 3 if self.is_coupled else self._free)
-            vertices = loosest(error.motion, owner)
+            dofs = self._free // 3 if self.is_coupled else self._free
+            vertices = _loose_vertices(self.dofs, dofs, error.motion)
             raise SingularSystemError(
-                f"The surface is loose around vertex {vertices[0]}: it can move there without stretching or "
-                "bending anything. Hold more vertices, attach springs, or raise a stiffness that is zero.",
+                f"The surface is loose around vertex {vertices[0]}: it moves there against next to no stiffness. "
+                "Hold more vertices, attach stiffer springs, or raise a stretching or bending that is zero.",
                 vertices,
             ) from error
         self.factorisations += 1
@@ -178,6 +178,21 @@ class SurfaceSystem:
         rows = 3 * self.dofs.n_dofs if self.is_coupled else self.dofs.n_dofs
         columns = fields.reshape(rows, -1)
         return columns if self._rotation is None else np.asarray(self._rotation.T @ columns)
+
+
+def _loose_vertices(dofs: DofMap, moving: IntArray, motion: FloatArray) -> IntArray:
+    """Return the vertices displaced at least half as far as the farthest, that one first.
+
+    Where nothing but slopes moves, their vertices.
+    """
+    is_value = np.isin(moving, dofs.value_dofs)
+    if motion[is_value].max(initial=0.0) > 0.0:
+        moving, motion = moving[is_value], motion[is_value]
+    order = np.argsort(-motion, kind="stable")
+    far = order[motion[order] >= 0.5 * motion.max()]
+    vertices = dofs.vertex_of(moving[far])
+    _, first = np.unique(vertices, return_index=True)
+    return np.asarray(vertices[np.sort(first)], dtype=np.int64)
 
 
 def _sliding_rotation(dofs: DofMap, supports: Supports) -> csc_array:
