@@ -1,0 +1,158 @@
+"""Binary glTF 2.0: the face at rest with one morph target per action unit, in metres.
+
+All meshes that move have the same list of targets, so that one array of weights drives skin, lashes, lower teeth and
+tongue.  The turn of the jaw is linear in its weight here: the targets end where the turn ends.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import BinaryIO
+
+import numpy as np
+from pygltflib import (
+    BLEND,
+    GLTF2,
+    OPAQUE,
+    Asset,
+    Attributes,
+    Buffer,
+    Material,
+    Mesh,
+    Node,
+    PbrMetallicRoughness,
+    Primitive,
+    Scene,
+)
+
+from facemodel.basis import Basis
+from facemodel.face import Face
+from facemodel.io.export.appearance import APPEARANCES, linear
+from facemodel.io.export.gltf_buffer import GltfBuffer
+from facemodel.io.export.pieces import Piece, pieces
+from facemodel.io.export.targets import Target, target_weights, targets
+from facemodel.project import Project
+from facemodel.solve import Solution
+from facemodel.superposition import Superposition
+from fem.types import Float32Array
+
+METRES = 0.001
+UNSEEN = 1e-6
+"""Metres: a thousandth of a millimetre of motion is left out, which halves the file."""
+UNSEEN_TURN = 2e-3
+"""Change of a unit normal (a tenth of a degree) that is left out."""
+
+
+def write_glb(project: Project, solution: Solution, stream: BinaryIO) -> None:
+    """Write skin, eyes and parts with targets named ``AU12``, ``AU12L``, ``AU12R`` in ``extras.targetNames``.
+
+    The project's expression is the default of the weights.
+    """
+    stream.write(glb_bytes(project, solution))
+
+
+def glb_bytes(project: Project, solution: Solution) -> bytes:
+    """The bytes of the file."""
+    face, basis = project.face, solution.basis
+    shapes = targets(project.units, basis)
+    weights = target_weights(project.expression, shapes)
+    buffer = GltfBuffer()
+    drawn = list(pieces(face, basis, {}))
+    kinds = list(dict.fromkeys(piece.kind for piece in drawn))
+    meshes, carriers = [], {part.name: part.carrier for part in face.parts}
+    moves = _moves(face, basis, shapes)
+    for piece in drawn:
+        primitive = _primitive(piece, buffer, kinds.index(piece.kind))
+        mesh = Mesh(name=piece.name, primitives=[primitive])
+        if shapes and (piece.name == "skin" or carriers.get(piece.name) in ("jaw", "skin")):
+            primitive.targets = [_target(move, piece.name, buffer) for move in moves]
+            mesh.weights = weights
+            mesh.extras = {"targetNames": [f"AU{shape.name}" for shape in shapes]}
+        meshes.append(mesh)
+    document = GLTF2(
+        asset=Asset(generator="Risorius", copyright=face.provenance or None),
+        materials=[_material(kind) for kind in kinds],
+        meshes=meshes,
+        nodes=_nodes(face, [mesh.name for mesh in meshes]),
+        scene=0,
+        scenes=[Scene(nodes=[0])],
+        accessors=buffer.accessors,
+        bufferViews=buffer.views,
+        buffers=[Buffer(byteLength=len(buffer.data))],
+    )
+    document.set_binary_blob(buffer.data)
+    return b"".join(document.save_to_bytes())
+
+
+def _moves(face: Face, basis: Basis, shapes: Sequence[Target]) -> list[dict[str, Float32Array]]:
+    """For each shape the change of every moving mesh by its name, and of the skin's normals as ``normals``."""
+    pose = Superposition(face, basis)
+    rest = {"skin": pose.points.copy(), "normals": pose.normals.copy()}
+    rest |= {name: points.copy() for name, points in pose.parts.items()}
+    moves = []
+    for shape in shapes:
+        pose.pose(dict.fromkeys(shape.fields, 1.0))
+        now = {"skin": pose.points, "normals": pose.normals, **pose.parts}
+        moves.append({name: now[name] - rest[name] for name in rest})
+    return moves
+
+
+def _target(move: dict[str, Float32Array], name: str, buffer: GltfBuffer) -> Attributes:
+    target = Attributes(POSITION=buffer.change(move[name] * np.float32(METRES), UNSEEN, bounded=True))
+    if name == "skin":
+        target.NORMAL = buffer.change(move["normals"], UNSEEN_TURN)
+    return target
+
+
+def _primitive(piece: Piece, buffer: GltfBuffer, material: int) -> Primitive:
+    attributes = Attributes(
+        POSITION=buffer.attribute(piece.positions * np.float32(METRES), bounded=True),
+        NORMAL=buffer.attribute(_units(piece.normals)),
+    )
+    if piece.uv is not None:
+        attributes.TEXCOORD_0 = buffer.attribute(piece.uv * [1, -1] + [0, 1])
+    if piece.kind == "eye":
+        attributes.COLOR_0 = buffer.attribute(linear(piece.colours))
+    return Primitive(attributes=attributes, indices=buffer.triangles(piece.triangles), material=material)
+
+
+def _units(normals: Float32Array) -> Float32Array:
+    """Normals of length one to the last bit that glTF asks for; a point without a triangle faces forward."""
+    exact = normals.astype(np.float64)
+    length = np.linalg.norm(exact, axis=1, keepdims=True)
+    return np.where(length > 0, exact / np.where(length > 0, length, 1), [0.0, 0.0, 1.0]).astype(np.float32)
+
+
+def _material(kind: str) -> Material:
+    looks = APPEARANCES[kind]
+    return Material(
+        name=kind,
+        pbrMetallicRoughness=PbrMetallicRoughness(
+            baseColorFactor=[*linear(np.array(looks.colour)).round(4).tolist(), looks.opacity],
+            metallicFactor=0.0,
+            roughnessFactor=looks.roughness,
+        ),
+        alphaMode=OPAQUE if looks.opacity == 1 else BLEND,
+        doubleSided=looks.two_sided,
+    )
+
+
+def _nodes(face: Face, names: Sequence[str]) -> list[Node]:
+    """A head with the skin, a node for each eye that holds its layers, and the parts."""
+    nodes = [Node(name=face.title, children=[])]
+
+    def add(parent: int, node: Node) -> int:
+        nodes.append(node)
+        nodes[parent].children.append(len(nodes) - 1)
+        return len(nodes) - 1
+
+    groups: dict[str, int] = {}
+    for mesh, name in enumerate(names):
+        layer, _, side = name.partition("-")
+        parent = 0
+        if layer in ("eye", "cornea"):
+            if side not in groups:
+                groups[side] = add(0, Node(name=f"eyeball-{side}", children=[]))
+            parent = groups[side]
+        add(parent, Node(name=name, mesh=mesh))
+    return nodes

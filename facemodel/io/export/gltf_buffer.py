@@ -1,0 +1,105 @@
+"""The binary chunk of a glTF file: arrays one behind the other, and the accessors that describe them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pygltflib import (
+    ARRAY_BUFFER,
+    ELEMENT_ARRAY_BUFFER,
+    FLOAT,
+    SCALAR,
+    UNSIGNED_INT,
+    UNSIGNED_SHORT,
+    VEC2,
+    VEC3,
+    Accessor,
+    AccessorSparseIndices,
+    AccessorSparseValues,
+    BufferView,
+    Sparse,
+)
+
+from fem.types import Float32Array, IntArray
+
+ALIGNMENT = 4
+LARGEST_SHORT = 65_534
+"""The index 65535 restarts primitives in some graphics libraries, and glTF forbids it."""
+
+TYPES = {2: VEC2, 3: VEC3}
+
+
+class GltfBuffer:
+    """Collects arrays; `views` and `accessors` are the lists of the glTF document, `data` its buffer."""
+
+    def __init__(self) -> None:
+        self.views: list[BufferView] = []
+        self.accessors: list[Accessor] = []
+        self._blobs: list[bytes] = []
+        self._length = 0
+
+    @property
+    def data(self) -> bytes:
+        """The buffer."""
+        return b"".join(self._blobs)
+
+    def attribute(self, values: NDArray[Any], *, bounded: bool = False) -> int:
+        """An accessor of vertex data (P, 2 or 3) float32; ``bounded`` notes the extent, as positions must."""
+        values = np.ascontiguousarray(values, dtype="<f4")
+        view = self._view(values.tobytes(), ARRAY_BUFFER)
+        return self._accessor(FLOAT, values, TYPES[values.shape[1]], view=view, bounded=bounded)
+
+    def triangles(self, triangles: IntArray) -> int:
+        """An accessor of triangle corners (T, 3)."""
+        kind, component = _index_type(int(triangles.max(initial=0)))
+        corners = triangles.astype(kind).ravel()
+        view = self._view(corners.tobytes(), ELEMENT_ARRAY_BUFFER)
+        return self._accessor(component, corners, SCALAR, view=view)
+
+    def change(self, values: Float32Array, smallest: float, *, bounded: bool = False) -> int:
+        """An accessor of a change of vertex data (P, 3), in which rows smaller than ``smallest`` count as zero.
+
+        The rows are stored with their numbers (a sparse accessor) where that is shorter than all rows.
+        """
+        rows = np.flatnonzero(np.abs(values).max(axis=1) > smallest)
+        kept = np.zeros(values.shape, dtype="<f4")
+        kept[rows] = values[rows]
+        kind, component = _index_type(len(values))
+        if len(rows) * (kept.itemsize * 3 + kind.itemsize) >= kept.nbytes:
+            return self.attribute(kept, bounded=bounded)
+        accessor = self._accessor(FLOAT, kept, VEC3, view=None, bounded=bounded)
+        if len(rows):
+            self.accessors[accessor].sparse = Sparse(
+                count=len(rows),
+                indices=AccessorSparseIndices(
+                    bufferView=self._view(rows.astype(kind).tobytes()), componentType=component
+                ),
+                values=AccessorSparseValues(bufferView=self._view(kept[rows].tobytes())),
+            )
+        return accessor
+
+    def _view(self, blob: bytes, target: int | None = None) -> int:
+        self.views.append(BufferView(buffer=0, byteOffset=self._length, byteLength=len(blob), target=target))
+        padded = blob + bytes(-len(blob) % ALIGNMENT)
+        self._blobs.append(padded)
+        self._length += len(padded)
+        return len(self.views) - 1
+
+    def _accessor(
+        self, component: int, values: NDArray[Any], kind: str, *, view: int | None, bounded: bool = False
+    ) -> int:
+        offset = None if view is None else 0
+        accessor = Accessor(bufferView=view, byteOffset=offset, componentType=component, count=len(values), type=kind)
+        if bounded:
+            accessor.min = values.min(axis=0).tolist()
+            accessor.max = values.max(axis=0).tolist()
+        self.accessors.append(accessor)
+        return len(self.accessors) - 1
+
+
+def _index_type(largest: int) -> tuple[np.dtype[Any], int]:
+    if largest <= LARGEST_SHORT:
+        return np.dtype("<u2"), UNSIGNED_SHORT
+    return np.dtype("<u4"), UNSIGNED_INT

@@ -1,0 +1,100 @@
+"""A face taken apart into the meshes that are exported, posed with an expression."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from facemodel.actions import Expression
+from facemodel.basis import Basis
+from facemodel.eyeball import eyeball
+from facemodel.face import Eye, Face, Part
+from facemodel.io.export.appearance import APPEARANCES
+from facemodel.mesh import Mesh
+from facemodel.superposition import Superposition
+from fem.types import Float32Array, FloatArray, IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """One mesh of one material.
+
+    Attributes
+    ----------
+    name : ``skin``, ``eye-left``, ``cornea-left``, or the name of a part
+    kind : key of `APPEARANCES`
+    positions, normals : (P, 3) float32, millimetres
+    triangles : (T, 3) int
+    colours : (P, 3) float sRGB 0..1
+    uv : (P, 2) float with v upwards, or None
+    """
+
+    name: str
+    kind: str
+    positions: Float32Array
+    normals: Float32Array
+    triangles: IntArray
+    colours: FloatArray
+    uv: FloatArray | None = None
+
+
+def pieces(face: Face, basis: Basis, expression: Expression) -> Iterator[Piece]:
+    """The skin, both eyes and all parts, in this order."""
+    pose = Superposition(face, basis)
+    pose.pose(expression)
+    display = basis.display
+    yield Piece(
+        "skin",
+        "skin",
+        pose.points.copy(),
+        pose.normals.copy(),
+        display.triangles,
+        plain_colours("skin", len(pose.points)),
+        display_uv(face, basis),
+    )
+    for eye in face.eyes:
+        yield from eye_pieces(eye)
+    for part in face.parts:
+        yield part_piece(part, pose.parts[part.name].copy())
+
+
+def plain_colours(kind: str, count: int) -> FloatArray:
+    """The colour of a kind for each of ``count`` points."""
+    return np.tile(np.array(APPEARANCES[kind].colour), (count, 1))
+
+
+def display_uv(face: Face, basis: Basis) -> FloatArray:
+    """Texture coordinates (P, 2) of the drawn points, linear on each triangle of the skin."""
+    display = basis.display
+    corners = face.uv[face.skin.triangles[display.elements]]
+    return np.asarray(np.einsum("pk,pkc->pc", display.barycentric, corners))
+
+
+def eye_pieces(eye: Eye) -> Iterator[Piece]:
+    """The coloured eyeball and its clear cornea."""
+    whole = eyeball(eye)
+    side = {"L": "left", "R": "right"}[eye.side]
+    for name, (mesh, index) in (("eye", whole.opaque), ("cornea", whole.cornea)):
+        yield Piece(
+            f"{name}-{side}",
+            name,
+            mesh.positions.astype(np.float32),
+            whole.normals[index].astype(np.float32),
+            mesh.triangles,
+            whole.colours[index, :3],
+        )
+
+
+def part_piece(part: Part, positions: Float32Array) -> Piece:
+    """A part with its points at ``positions`` (P, 3)."""
+    normals = Mesh(positions.astype(np.float64), part.mesh.triangles).normals
+    return Piece(
+        part.name,
+        part.kind,
+        positions,
+        normals.astype(np.float32),
+        part.mesh.triangles,
+        plain_colours(part.kind, len(positions)),
+    )
