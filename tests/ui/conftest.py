@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
 from PySide6.QtWidgets import QApplication, QWidget
@@ -24,10 +24,10 @@ def _display() -> None:
 
 
 @pytest.fixture(scope="session")
-def qapp(_display: None) -> Iterator[QApplication]:
+def qapp(_display: None) -> QApplication:
     app = QApplication.instance() or QApplication([])
     apply_theme(app, DARK)
-    yield app
+    return app
 
 
 @pytest.fixture(scope="session")

@@ -111,6 +111,14 @@ class ExpressionPanel(QWidget):
         self.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self.search.selectAll()
 
+    def focus_unit(self, number: int) -> None:
+        """Bring the row of an action unit into view and put the keyboard on its bar."""
+        row = self.rows[number]
+        self.search.clear()
+        self.groups[row.unit.group].fold(False)
+        row.slider.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self._area.ensureWidgetVisible(row, 0, 4 * ROW)
+
     def _connect(self) -> None:
         self._document.project_changed.connect(self.show_project)
         self._document.expression_changed.connect(self.show_expression)
@@ -175,7 +183,8 @@ class ExpressionPanel(QWidget):
         layout.setSpacing(0)
         layout.addLayout(top)
         layout.addWidget(_line())
-        layout.addWidget(_scrolled(self._list), 1)
+        self._area = _scrolled(self._list)
+        layout.addWidget(self._area, 1)
 
 
 def _tool(glyph: str, text: str, checked: bool | None = None) -> QToolButton:

@@ -57,6 +57,7 @@ QPushButton:default:hover { background: $accent_hover; }
 QPushButton:disabled { color: $faint; background: $panel; }
 QPushButton[role="quiet"] { background: transparent; color: $muted; }
 QPushButton[role="quiet"]:hover { background: $hover; color: $text; }
+QPushButton[role="status"] { min-height: 18px; padding: 0 8px; font-size: ${small}px; }
 QPushButton:flat { background: transparent; border-color: transparent; }
 
 QProgressBar { background: $raised; border: none; border-radius: 2px; }
@@ -80,6 +81,7 @@ QLabel[role="muted"] { color: $muted; }
 QLabel[role="heading"] { color: $muted; font-size: ${small}px; }
 QLabel[role="title"] { font-size: 18px; }
 QLabel[role="error"] { color: $error; }
+QLabel[role="pointer"] { background: $raised; border: 1px solid $line; border-radius: 3px; padding: 3px 8px; }
 QWidget[role="panel"] { background: $panel; }
 QFrame[role="card"] { background: $panel; border: 1px solid $line; border-radius: 4px; }
 QFrame[role="line"] { background: $line; border: none; max-height: 1px; min-height: 1px; }

@@ -30,13 +30,24 @@ ENTRY = Qt.ItemDataRole.UserRole + 1
 
 @dataclass(frozen=True)
 class PaletteEntry:
-    """One line of the palette: what it does, where it belongs, by which keys it is also reached."""
+    """One line of the palette.
 
-    key: str
+    Attributes
+    ----------
+    title : what it does
+    section : where it belongs
+    keys : how it is also reached
+    letters : places in the title of the letters that were typed
+    enabled : whether it can be run now
+    payload : what `CommandPalette.chosen` carries
+    """
+
     title: str
     section: str
     keys: str = ""
+    letters: tuple[int, ...] = ()
     enabled: bool = True
+    payload: object = None
 
 
 Rank = Callable[[str], Sequence[PaletteEntry]]
@@ -48,10 +59,10 @@ class CommandPalette(QFrame):
 
     Signals
     -------
-    chosen(str) : key of the entry to run
+    chosen(object) : payload of the entry to run
     """
 
-    chosen = Signal(str)
+    chosen = Signal(object)
 
     def __init__(self, host: QWidget, rank: Rank) -> None:
         super().__init__(host)
@@ -132,7 +143,7 @@ class CommandPalette(QFrame):
         entry = index.data(ENTRY)
         if entry is not None and entry.enabled:
             self.close_palette()
-            self.chosen.emit(entry.key)
+            self.chosen.emit(entry.payload)
 
 
 class _Line(QLineEdit):
@@ -181,8 +192,20 @@ class _EntryDelegate(QStyledItemDelegate):
         centre = Qt.AlignmentFlag.AlignVCenter
         painter.setPen(QColor(theme.text) if entry.enabled else faint)
         painter.drawText(line, centre | Qt.AlignmentFlag.AlignLeft, entry.title)
+        _underline(painter, line, entry)
         painter.setPen(QColor(theme.text if marked else theme.muted))
         painter.drawText(line, centre | Qt.AlignmentFlag.AlignRight, entry.keys)
         painter.setPen(faint if not marked else QColor(theme.muted))
         room = line.adjusted(0, 0, -16 * GRID, 0)
         painter.drawText(room, centre | Qt.AlignmentFlag.AlignRight, entry.section)
+
+
+def _underline(painter: QPainter, line: QRect, entry: PaletteEntry) -> None:
+    """A thin line in the accent under the letters that were typed."""
+    metrics = painter.fontMetrics()
+    y = line.center().y() + metrics.ascent() // 2 + 3
+    painter.setPen(QColor(current_theme().accent))
+    for place in entry.letters:
+        left = line.left() + metrics.horizontalAdvance(entry.title[:place])
+        right = line.left() + metrics.horizontalAdvance(entry.title[: place + 1])
+        painter.drawLine(left, y, right - 1, y)

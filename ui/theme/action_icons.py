@@ -1,0 +1,38 @@
+"""Which glyph stands for which action."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+GLYPHS: Mapping[str, str] = {
+    "file.open": "folder-open-outline",
+    "file.save": "content-save-outline",
+    "file.picture": "camera-outline",
+    "edit.undo": "undo",
+    "edit.redo": "redo",
+    "edit.copy": "content-copy",
+    "edit.paste": "content-paste",
+    "edit.reset": "restore",
+    "edit.link": "link-variant",
+    "edit.search": "magnify",
+    "edit.palette": "chevron-right-box-outline",
+    "view.front": "face-man-outline",
+    "view.three-quarter": "account-box-outline",
+    "view.left": "chevron-left-circle-outline",
+    "view.right": "chevron-right-circle-outline",
+    "view.turntable": "rotate-3d-variant",
+    "view.head": "fit-to-page-outline",
+    "view.frame": "image-filter-center-focus",
+    "view.skull": "skull-outline",
+    "view.muscles": "arm-flex-outline",
+    "view.forces": "arrow-top-right",
+    "view.supports": "pin-outline",
+    "view.wireframe": "grid",
+    "view.influence": "blur",
+    "face.information": "information-outline",
+    "solve.now": "play-outline",
+    "solve.cancel": "stop",
+    "window.theme": "theme-light-dark",
+    "help.shortcuts": "keyboard-outline",
+}
+"""Glyphs of Material Design Icons by action id; an action that is not here has none."""
