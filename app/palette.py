@@ -12,10 +12,13 @@ from app.expression_text import parse_expression
 from facemodel.errors import RisoriusError
 
 START = 8.0
-"""For a letter that begins a word; more than one in a row, so that “ue” finds “undo edit” before “queue”."""
+"""For a letter that begins a word, or follows one that does: “ue” finds “undo edit” before “queue”."""
 
 NEXT = 6.0
-"""For a letter that follows the one before."""
+"""For any other letter that follows the one before."""
+
+WHOLE = 4.0
+"""For ending with the end of a word: “au 2” finds “AU 2” before “AU 22”."""
 
 LETTER = 1.0
 
@@ -86,30 +89,41 @@ def _match(words: Sequence[str], action: Action) -> Match | None:
     return Match(action, total, tuple(sorted(letters)))
 
 
+@dataclass(frozen=True)
+class _Path:
+    """The letters found so far: what they are worth, where they stand, whether the last ones begin a word."""
+
+    score: float = 0.0
+    places: tuple[int, ...] = ()
+    begins: bool = False
+
+    def to(self, place: int, starts: bool) -> _Path:
+        """One letter on."""
+        follows = bool(self.places) and place == self.places[-1] + 1
+        begins = starts or (follows and self.begins)
+        worth = START if begins else NEXT if follows else LETTER
+        return _Path(self.score + worth, (*self.places, place), begins)
+
+
 def _aligned(word: str, text: str) -> tuple[float, tuple[int, ...]]:
     """The best way to find the letters of a word in this order in a text: its score and the places."""
-    ends: dict[int, tuple[float, tuple[int, ...]]] = {-1: (0.0, ())}
+    starts = [k == 0 or not text[k - 1].isalnum() for k in range(len(text))]
+    paths = {-1: _Path()}
     for letter in word:
-        reached: dict[int, tuple[float, tuple[int, ...]]] = {}
-        for place, here in enumerate(text):
-            if here != letter:
-                continue
-            worth = START if place == 0 or not text[place - 1].isalnum() else LETTER
-            best = max(
-                (
-                    (score + max(worth, NEXT if end >= 0 and place == end + 1 else 0.0), places)
-                    for end, (score, places) in ends.items()
-                    if end < place
-                ),
-                default=(NO_MATCH, ()),
-            )
-            if best[0] > NO_MATCH:
-                reached[place] = (best[0], (*best[1], place))
-        ends = reached
-    return max(
-        ((score - SKIP * (len(text) - len(places)), places) for score, places in ends.values()),
-        default=(NO_MATCH, ()),
-    )
+        paths = {
+            place: max((path.to(place, starts[place]) for path in before), key=_score)
+            for place, here in enumerate(text)
+            if here == letter and (before := [path for end, path in paths.items() if end < place])
+        }
+    best: tuple[float, tuple[int, ...]] = (NO_MATCH, ())
+    for place, path in paths.items():
+        whole = WHOLE if path.begins and not text[place + 1 : place + 2].isalnum() else 0.0
+        best = max(best, (path.score + whole - SKIP * (len(text) - len(word)), path.places))
+    return best
+
+
+def _score(path: _Path) -> float:
+    return path.score
 
 
 def _plain(text: str) -> str:
