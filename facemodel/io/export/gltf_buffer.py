@@ -28,6 +28,9 @@ ALIGNMENT = 4
 LARGEST_SHORT = 65_534
 """The index 65535 restarts primitives in some graphics libraries, and glTF forbids it."""
 
+POINT_BYTES = 12
+"""Three float32; a view that several accessors share has to say how far its elements are apart."""
+
 TYPES = {2: VEC2, 3: VEC3}
 
 
@@ -39,6 +42,7 @@ class GltfBuffer:
         self.accessors: list[Accessor] = []
         self._blobs: list[bytes] = []
         self._length = 0
+        self._zeros_of: dict[int, int] = {}
 
     @property
     def data(self) -> bytes:
@@ -69,7 +73,7 @@ class GltfBuffer:
         kind, component = _index_type(len(values))
         if len(rows) * (kept.itemsize * 3 + kind.itemsize) >= kept.nbytes:
             return self.attribute(kept, bounded=bounded)
-        accessor = self._accessor(FLOAT, kept, VEC3, view=None, bounded=bounded)
+        accessor = self._accessor(FLOAT, kept, VEC3, view=self._zeros(kept.nbytes), bounded=bounded)
         if len(rows):
             self.accessors[accessor].sparse = Sparse(
                 count=len(rows),
@@ -80,6 +84,13 @@ class GltfBuffer:
             )
         return accessor
 
+    def _zeros(self, length: int) -> int:
+        """A shared view of zeros; sparse accessors may do without one, but not every reader knows that."""
+        if length not in self._zeros_of:
+            self._zeros_of[length] = self._view(bytes(length), ARRAY_BUFFER)
+            self.views[self._zeros_of[length]].byteStride = POINT_BYTES
+        return self._zeros_of[length]
+
     def _view(self, blob: bytes, target: int | None = None) -> int:
         self.views.append(BufferView(buffer=0, byteOffset=self._length, byteLength=len(blob), target=target))
         padded = blob + bytes(-len(blob) % ALIGNMENT)
@@ -87,11 +98,8 @@ class GltfBuffer:
         self._length += len(padded)
         return len(self.views) - 1
 
-    def _accessor(
-        self, component: int, values: NDArray[Any], kind: str, *, view: int | None, bounded: bool = False
-    ) -> int:
-        offset = None if view is None else 0
-        accessor = Accessor(bufferView=view, byteOffset=offset, componentType=component, count=len(values), type=kind)
+    def _accessor(self, component: int, values: NDArray[Any], kind: str, *, view: int, bounded: bool = False) -> int:
+        accessor = Accessor(bufferView=view, componentType=component, count=len(values), type=kind)
         if bounded:
             accessor.min = values.min(axis=0).tolist()
             accessor.max = values.max(axis=0).tolist()
