@@ -57,8 +57,9 @@ class Preferences(BaseModel):
 
 
 def preferences_path() -> Path:
-    """The file in the user's configuration folder."""
-    return user_config_path("risorius", appauthor=False) / "preferences.json"
+    """The file in the user's configuration folder; ``RISORIUS_CONFIG`` in the environment names another folder."""
+    named = os.environ.get("RISORIUS_CONFIG")
+    return (Path(named) if named else user_config_path("risorius", appauthor=False)) / "preferences.json"
 
 
 def read_preferences(path: Path) -> tuple[Preferences, str]:

@@ -6,6 +6,8 @@ from pathlib import Path
 
 from app.actions.action import Action
 from app.actions.context import Context, FileQuestion
+from app.actions.exporting import EXPORT_ACTIONS
+from app.actions.paths import folder, with_suffix
 from facemodel.errors import ProjectError
 from facemodel.faces import face_keys
 
@@ -47,16 +49,6 @@ def save_as(context: Context) -> bool:
     start = context.document.path or folder(context) / f"{context.document.project.face.key}{SUFFIX}"
     path = context.host.ask_path(FileQuestion("Save project", PROJECT, SUFFIX, start, writes=True))
     return path is not None and _save_to(context, with_suffix(path, SUFFIX))
-
-
-def folder(context: Context) -> Path:
-    """Where file dialogs begin."""
-    return context.settings.preferences.folder or Path.home()
-
-
-def with_suffix(path: Path, suffix: str) -> Path:
-    """The path with the ending, if the person left it out."""
-    return path if path.suffix.lower() == suffix else path.with_name(path.name + suffix)
 
 
 def recent_actions(context: Context) -> tuple[Action, ...]:
@@ -148,6 +140,7 @@ FILE_ACTIONS = (
         shortcut="Ctrl+Shift+S",
         hint="Save the project to another file",
     ),
+    *EXPORT_ACTIONS,
     Action(
         "file.quit",
         "Quit",

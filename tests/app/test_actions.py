@@ -21,13 +21,16 @@ from app.actions import (
     state_signals,
     table_signals,
 )
+from app.actions.exporting import export_to
 from app.document import Document
 from app.jobs import SolveJob
+from app.palette import typed_expression
 from app.settings import UserSettings
 from app.solving import Solving
 from app.view import View
-from facemodel.errors import UnknownNameError
+from facemodel.errors import RisoriusError, UnknownNameError
 from facemodel.faces import face_keys
+from facemodel.io.export import export_project
 from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
 from facemodel.solve import Cancelled, Progress, Solution, solve_project
@@ -197,6 +200,16 @@ def test_an_expression_goes_through_the_clipboard_and_replaces_the_other(context
     assert context.document.project.expression == {"12L": 0.5, "12R": 0.5, "17": 0.25}
 
 
+def test_an_expression_can_be_typed_into_the_palette(context: Context) -> None:
+    assert typed_expression("turn", context) is None
+    assert typed_expression("99=1", context) is None
+    typed = typed_expression(" 12=50%  17=0.25", context)
+    assert typed is not None
+    assert typed.title == "Show 12=50% 17=0.25"
+    perform(typed, context)
+    assert context.document.project.expression == {"12L": 0.5, "12R": 0.5, "17": 0.25}
+
+
 def test_toggles_and_choices_show_what_is_on(context: Context) -> None:
     for action in all_actions(context):
         if action.kind == "toggle":
@@ -236,10 +249,44 @@ def test_saving_asks_once_for_a_file_and_remembers_it(context: Context, desk: De
     assert not find_action("file.save", context).enabled(context)
 
 
+@pytest.mark.parametrize("suffix", [".glb", ".npz", ".obj", ".ply"])
+def test_a_solved_face_is_exported_as_it_is_shown(context: Context, desk: Desk, tmp_path: Path, suffix: str) -> None:
+    desk.path = tmp_path / "face"
+    do(f"file.export{suffix}", context)
+    assert desk.questions == []
+    context.solving.solve()
+    context.document.preview({"12": 0.5})
+    do(f"file.export{suffix}", context)
+    written = tmp_path / f"face{suffix}"
+    assert desk.errors == []
+    assert desk.messages == [f"Exported {written.name}"]
+    shown = tmp_path / f"shown{suffix}"
+    assert context.document.solution is not None
+    export_project(context.document.project, context.document.solution, shown)
+    assert context.document.project.expression == {"12L": 0.5, "12R": 0.5}
+    assert written.read_bytes() == shown.read_bytes()
+
+
+def test_an_export_that_fails_says_so(context: Context, desk: Desk, tmp_path: Path) -> None:
+    desk.path = tmp_path / "missing" / "face.glb"
+    with pytest.raises(RisoriusError, match="solved"):
+        export_to(context, desk.path)
+    context.solving.solve()
+    do("file.export.glb", context)
+    assert len(desk.errors) == 1
+    assert desk.messages == []
+
+
+def test_a_picture_gets_its_ending(context: Context, desk: Desk, tmp_path: Path) -> None:
+    desk.path = tmp_path / "smile"
+    do("file.screenshot", context)
+    assert desk.calls == [("save_picture", tmp_path / "smile.png")]
+
+
 def test_thinking_better_of_it_changes_nothing(context: Context, desk: Desk) -> None:
-    for action in ("file.open", "file.save", "file.save-as"):
+    for action in ("file.open", "file.save", "file.save-as", "file.screenshot"):
         do(action, context)
-    assert len(desk.questions) == 3
+    assert len(desk.questions) == 4
     assert context.document.path is None
     assert desk.errors == desk.messages == []
 

@@ -37,6 +37,12 @@ def test_recent_files_are_the_last_different_ones_latest_first(opened: list[int]
     assert [int(path.stem) for path in preferences.recent] == expected
 
 
+def test_the_environment_can_name_another_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("RISORIUS_CONFIG", str(tmp_path / "elsewhere"))
+    UserSettings().change(theme="light")
+    assert read_preferences(tmp_path / "elsewhere" / "preferences.json")[0].theme == "light"
+
+
 def test_a_file_that_is_gone_can_be_forgotten(path: Path, tmp_path: Path) -> None:
     settings = UserSettings(path)
     settings.remember(tmp_path / "one.risorius")
