@@ -17,13 +17,15 @@ class Appearance:
     Attributes
     ----------
     colour : sRGB 0..1
-    opacity : 1 is opaque
+    opacity : of all of it; 1 is opaque
+    sheer : whether some of it lets light through
     roughness : 0 mirrors, 1 is dull
     two_sided : seen from behind too
     """
 
     colour: tuple[float, float, float]
     opacity: float = 1.0
+    sheer: bool = False
     roughness: float = 0.5
     two_sided: bool = False
 
@@ -31,12 +33,12 @@ class Appearance:
 APPEARANCES: Mapping[str, Appearance] = {
     "skin": Appearance((0.835, 0.655, 0.560), roughness=0.55),
     "eye": Appearance((1.0, 1.0, 1.0), roughness=0.15),
-    "cornea": Appearance((1.0, 1.0, 1.0), opacity=0.08, roughness=0.02),
+    "cornea": Appearance((1.0, 1.0, 1.0), opacity=0.08, sheer=True, roughness=0.02),
     "teeth": Appearance((0.93, 0.90, 0.83), roughness=0.25),
     "tongue": Appearance((0.72, 0.38, 0.36), roughness=0.4),
     "lining": Appearance((0.55, 0.24, 0.23), roughness=0.45, two_sided=True),
     "socket": Appearance((0.60, 0.33, 0.30), roughness=0.6, two_sided=True),
-    "lashes": Appearance((0.10, 0.07, 0.06), roughness=0.7, two_sided=True),
+    "lashes": Appearance((0.10, 0.07, 0.06), sheer=True, roughness=0.7, two_sided=True),
 }
 """By kind: the skin, the two layers of an eye, and the kinds of `facemodel.face.Part`."""
 

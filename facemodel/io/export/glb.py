@@ -111,8 +111,10 @@ def _primitive(piece: Piece, buffer: GltfBuffer, material: int) -> Primitive:
     )
     if piece.uv is not None:
         attributes.TEXCOORD_0 = buffer.attribute(piece.uv * [1, -1] + [0, 1])
-    if piece.kind == "eye":
-        attributes.COLOR_0 = buffer.attribute(linear(piece.colours))
+    if piece.kind in ("eye", "lashes"):
+        plain = linear(np.array(APPEARANCES[piece.kind].colour))
+        shades = np.column_stack([linear(piece.colours[:, :3]) / plain, piece.colours[:, 3]])
+        attributes.COLOR_0 = buffer.attribute(shades)
     return Primitive(attributes=attributes, indices=buffer.triangles(piece.triangles), material=material)
 
 
@@ -132,7 +134,7 @@ def _material(kind: str) -> Material:
             metallicFactor=0.0,
             roughnessFactor=looks.roughness,
         ),
-        alphaMode=OPAQUE if looks.opacity == 1 else BLEND,
+        alphaMode=BLEND if looks.sheer else OPAQUE,
         doubleSided=looks.two_sided,
     )
 

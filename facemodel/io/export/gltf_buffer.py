@@ -15,6 +15,7 @@ from pygltflib import (
     UNSIGNED_SHORT,
     VEC2,
     VEC3,
+    VEC4,
     Accessor,
     AccessorSparseIndices,
     AccessorSparseValues,
@@ -31,7 +32,7 @@ LARGEST_SHORT = 65_534
 POINT_BYTES = 12
 """Three float32; a view that several accessors share has to say how far its elements are apart."""
 
-TYPES = {2: VEC2, 3: VEC3}
+TYPES = {2: VEC2, 3: VEC3, 4: VEC4}
 
 
 class GltfBuffer:
@@ -50,7 +51,7 @@ class GltfBuffer:
         return b"".join(self._blobs)
 
     def attribute(self, values: NDArray[Any], *, bounded: bool = False) -> int:
-        """An accessor of vertex data (P, 2 or 3) float32; ``bounded`` notes the extent, as positions must."""
+        """An accessor of vertex data (P, 2 to 4) float32; ``bounded`` notes the extent, as positions must."""
         values = np.ascontiguousarray(values, dtype="<f4")
         view = self._view(values.tobytes(), ARRAY_BUFFER)
         return self._accessor(FLOAT, values, TYPES[values.shape[1]], view=view, bounded=bounded)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from facemodel.actions import Expression
 from facemodel.basis import Basis
@@ -27,7 +28,7 @@ class Piece:
     kind : key of `APPEARANCES`
     positions, normals : (P, 3) float32, millimetres
     triangles : (T, 3) int
-    colours : (P, 3) float sRGB 0..1
+    colours : (P, 4) float 0..1, sRGB and opacity
     uv : (P, 2) float with v upwards, or None
     """
 
@@ -57,12 +58,12 @@ def pieces(face: Face, basis: Basis, expression: Expression) -> Iterator[Piece]:
     for eye in face.eyes:
         yield from eye_pieces(eye)
     for part in face.parts:
-        yield part_piece(part, pose.parts[part.name].copy())
+        yield part_piece(part, face, pose.parts[part.name].copy())
 
 
 def plain_colours(kind: str, count: int) -> FloatArray:
-    """The colour of a kind for each of ``count`` points."""
-    return np.tile(np.array(APPEARANCES[kind].colour), (count, 1))
+    """The colour of a kind for each of ``count`` points, opaque: (count, 4)."""
+    return np.tile(np.array([*APPEARANCES[kind].colour, 1.0]), (count, 1))
 
 
 def display_uv(face: Face, basis: Basis) -> FloatArray:
@@ -83,12 +84,15 @@ def eye_pieces(eye: Eye) -> Iterator[Piece]:
             mesh.positions.astype(np.float32),
             whole.normals[index].astype(np.float32),
             mesh.triangles,
-            whole.colours[index, :3],
+            whole.colours[index],
         )
 
 
-def part_piece(part: Part, positions: Float32Array) -> Piece:
-    """A part with its points at ``positions`` (P, 3)."""
+def part_piece(part: Part, face: Face, positions: Float32Array) -> Piece:
+    """A part of a face with its points at ``positions`` (P, 3)."""
+    colours = plain_colours(part.kind, len(positions))
+    if part.kind == "lashes":
+        colours[:, 3] = lash_opacity(part, face)
     normals = Mesh(positions.astype(np.float64), part.mesh.triangles).normals
     return Piece(
         part.name,
@@ -96,5 +100,12 @@ def part_piece(part: Part, positions: Float32Array) -> Piece:
         positions,
         normals.astype(np.float32),
         part.mesh.triangles,
-        plain_colours(part.kind, len(positions)),
+        colours,
     )
+
+
+def lash_opacity(part: Part, face: Face) -> FloatArray:
+    """Opacity (P,) of a strip of lashes: dense at the lid margin, nothing at the tips, as hairs thin out."""
+    margins = face.skin.positions[np.concatenate(face.skin.boundary_loops)]
+    distance, _ = cKDTree(margins).query(part.mesh.positions)
+    return np.asarray(0.9 * (1 - distance / distance.max()) ** 2)

@@ -11,7 +11,8 @@ from facemodel.project import Project
 from facemodel.solve import Solution
 
 VERTEX = np.dtype(
-    [(name, "<f4") for name in ("x", "y", "z", "nx", "ny", "nz")] + [(name, "u1") for name in ("red", "green", "blue")]
+    [(name, "<f4") for name in ("x", "y", "z", "nx", "ny", "nz")]
+    + [(name, "u1") for name in ("red", "green", "blue", "alpha")]
 )
 FACE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 
@@ -28,6 +29,7 @@ property float nz
 property uchar red
 property uchar green
 property uchar blue
+property uchar alpha
 element face {faces}
 property list uchar int vertex_indices
 end_header
@@ -46,7 +48,7 @@ def write_ply(project: Project, solution: Solution, stream: BinaryIO) -> None:
     for k, axis in enumerate("xyz"):
         vertices[axis] = positions[:, k]
         vertices[f"n{axis}"] = normals[:, k]
-    for k, channel in enumerate(("red", "green", "blue")):
+    for k, channel in enumerate(("red", "green", "blue", "alpha")):
         vertices[channel] = colours[:, k]
     corners = np.concatenate([piece.triangles + start for piece, start in zip(drawn, starts, strict=True)])
     faces = np.empty(len(corners), dtype=FACE)
