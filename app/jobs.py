@@ -122,26 +122,35 @@ class SolveJob:
         self._deliver(partial(self._tell, request, text, share))
 
     def _done(self, request: _Request, future: Future[Solution]) -> None:
-        """In the worker: bring the outcome home."""
-        self._deliver(partial(self._settle, request, future))
+        """In the worker: bring the outcome home, if anybody is there to hear it."""
+        if request.stopped.is_set():
+            _note_unheard(future)
+        else:
+            self._deliver(partial(self._settle, request, future))
 
     def _tell(self, request: _Request, text: str, share: float) -> None:
         if request is self._current:
             self.progress.emit(text, share)
 
     def _settle(self, request: _Request, future: Future[Solution]) -> None:
-        error = None if future.cancelled() else future.exception()
         if request is not self._current:
-            if error is not None and not isinstance(error, Cancelled):
-                log.warning("A solve that nobody waited for failed.", exc_info=error)
+            _note_unheard(future)
             return
         self._current = None
+        error = future.exception()
         if error is None:
             self.finished.emit(future.result(), request.project)
         elif isinstance(error, Cancelled):
             self.cancelled.emit()
         else:
             self.failed.emit(_failure(error))
+
+
+def _note_unheard(future: Future[Solution]) -> None:
+    """Log the failure of a solve that was stopped; that it was stopped is no failure."""
+    error = None if future.cancelled() else future.exception()
+    if error is not None and not isinstance(error, Cancelled):
+        log.warning("A solve that nobody waited for failed.", exc_info=error)
 
 
 def _failure(error: BaseException) -> Failure:

@@ -69,7 +69,7 @@ def typed_expression(query: str, context: Context) -> Action | None:
     return Action(
         "expression.typed",
         f"Show {text}",
-        lambda context: set_expression_text(context, query, f"Show {text}"),
+        lambda context: set_expression_text(context, query, text),
         hint="Show this expression and nothing else",
     )
 

@@ -1,18 +1,30 @@
 """A small face that the real solver solves in an instant, and what stands upon it."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
+import hypothesis
 import numpy as np
 import pytest
 
+from app.actions import Context
 from app.document import Document
+from app.jobs import SolveJob
+from app.settings import UserSettings
+from app.solving import Solving
+from app.view import View
 from facemodel.actions import ActionUnit, Emotion, JawMotion
 from facemodel.face import Eye, Face, Jaw, Layers, Part, Skull
 from facemodel.mesh import Mesh
 from facemodel.muscles import Fibre, Muscle
 from facemodel.project import Project
+from facemodel.solve import Cancelled, Progress, Solution, solve_project
 from fem.supports import Support
 from fem.types import FloatArray
+from tests.app.desk import Desk
+
+hypothesis.settings.register_profile("patient", deadline=None)
+hypothesis.settings.load_profile("patient")
 
 SIDE = 9
 """Vertices along one edge of the patch of skin."""
@@ -123,3 +135,22 @@ def document(project: Project) -> Document:
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
     return tmp_path / "patch.risorius"
+
+
+@pytest.fixture
+def desk() -> Desk:
+    return Desk()
+
+
+def solve_small(project: Project, progress: Progress) -> Solution:
+    """Solve the small face, and give up on the large ones: what is tested here does not depend on them."""
+    if project.face.key != "patch":
+        raise Cancelled
+    return solve_project(project, progress)
+
+
+@pytest.fixture
+def context(document: Document, desk: Desk, tmp_path: Path) -> Iterator[Context]:
+    job = SolveJob(solve_small)
+    yield Context(document, View(), UserSettings(tmp_path / "preferences.json"), Solving(document, job), desk)
+    job.close()

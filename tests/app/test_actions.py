@@ -1,7 +1,5 @@
 """One table holds everything that can be done; it is whole, free of clashes, and does what it says."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
@@ -9,123 +7,19 @@ import pytest
 from app.actions import (
     MENUS,
     Action,
-    Answer,
     Context,
-    FileQuestion,
     all_actions,
     find_action,
-    may_leave,
-    open_path,
     perform,
     shortcuts_of,
     state_signals,
     table_signals,
 )
-from app.actions.exporting import export_to
-from app.document import Document
-from app.jobs import SolveJob
 from app.palette import typed_expression
-from app.settings import UserSettings
-from app.solving import Solving
-from app.view import View
-from facemodel.errors import RisoriusError, UnknownNameError
+from facemodel.errors import UnknownNameError
 from facemodel.faces import face_keys
-from facemodel.io.export import export_project
-from facemodel.io.project_file import load_project, save_project
-from facemodel.project import Project
-from facemodel.solve import Cancelled, Progress, Solution, solve_project
-
-
-@dataclass
-class Desk:
-    """A person at a window: answers as it was told, and writes down what the window was asked to do."""
-
-    path: Path | None = None
-    answer: Answer = "cancel"
-    text: str = ""
-    questions: list[FileQuestion | str] = field(default_factory=list)
-    errors: list[str] = field(default_factory=list)
-    messages: list[str] = field(default_factory=list)
-    calls: list[object] = field(default_factory=list)
-
-    def ask_path(self, question: FileQuestion) -> Path | None:
-        self.questions.append(question)
-        return self.path
-
-    def ask_unsaved(self, name: str) -> Answer:
-        self.questions.append(name)
-        return self.answer
-
-    def show_error(self, sentence: str) -> None:
-        self.errors.append(sentence)
-
-    def show_message(self, sentence: str) -> None:
-        self.messages.append(sentence)
-
-    def clipboard(self) -> str:
-        return self.text
-
-    def set_clipboard(self, text: str) -> None:
-        self.text = text
-
-    def save_picture(self, path: Path) -> None:
-        self.calls.append(("save_picture", path))
-
-    def focus_unit(self, number: int) -> None:
-        self.calls.append(("focus_unit", number))
-
-    def frame_head(self) -> None:
-        self.calls.append("frame_head")
-
-    def frame_selection(self) -> None:
-        self.calls.append("frame_selection")
-
-    def focus_search(self) -> None:
-        self.calls.append("focus_search")
-
-    def show_palette(self) -> None:
-        self.calls.append("show_palette")
-
-    def show_face_information(self) -> None:
-        self.calls.append("show_face_information")
-
-    def show_shortcuts(self) -> None:
-        self.calls.append("show_shortcuts")
-
-    def show_about(self) -> None:
-        self.calls.append("show_about")
-
-    def reset_layout(self) -> None:
-        self.calls.append("reset_layout")
-
-    def toggle_full_screen(self) -> None:
-        self.calls.append("toggle_full_screen")
-
-    def quit(self) -> None:
-        self.calls.append("quit")
-
-
-@pytest.fixture
-def desk() -> Desk:
-    return Desk()
-
-
-def solve_small(project: Project, progress: Progress) -> Solution:
-    """Solve the small face, and give up on the large ones: what is tested here does not depend on them."""
-    if project.face.key != "patch":
-        raise Cancelled
-    return solve_project(project, progress)
-
-
-@pytest.fixture
-def context(document: Document, desk: Desk, tmp_path: Path) -> Iterator[Context]:
-    job = SolveJob(solve_small)
-    yield Context(document, View(), UserSettings(tmp_path / "preferences.json"), Solving(document, job), desk)
-    job.close()
-
-
-def do(action_id: str, context: Context) -> None:
-    perform(find_action(action_id, context), context)
+from facemodel.io.project_file import save_project
+from tests.app.desk import Desk, do
 
 
 def test_ids_and_keys_are_there_once(context: Context) -> None:
@@ -232,110 +126,6 @@ def test_solving_now_makes_the_solution_fresh_and_is_then_not_offered(context: C
     perform(now, context)
     assert context.document.solution is not None
     assert not now.enabled(context)
-
-
-def test_saving_asks_once_for_a_file_and_remembers_it(context: Context, desk: Desk, tmp_path: Path) -> None:
-    context.document.set_weights({"17": 0.5})
-    desk.path = tmp_path / "smile"
-    do("file.save", context)
-    saved = tmp_path / "smile.risorius"
-    assert load_project(saved).expression == {"17": 0.5}
-    assert context.document.path == saved
-    assert context.settings.preferences.recent == (saved,)
-    context.document.set_weights({"17": 0.75})
-    do("file.save", context)
-    assert load_project(saved).expression == {"17": 0.75}
-    assert len(desk.questions) == 1
-    assert not find_action("file.save", context).enabled(context)
-
-
-@pytest.mark.parametrize("suffix", [".glb", ".npz", ".obj", ".ply"])
-def test_a_solved_face_is_exported_as_it_is_shown(context: Context, desk: Desk, tmp_path: Path, suffix: str) -> None:
-    desk.path = tmp_path / "face"
-    do(f"file.export{suffix}", context)
-    assert desk.questions == []
-    context.solving.solve()
-    context.document.preview({"12": 0.5})
-    do(f"file.export{suffix}", context)
-    written = tmp_path / f"face{suffix}"
-    assert desk.errors == []
-    assert desk.messages == [f"Exported {written.name}"]
-    shown = tmp_path / f"shown{suffix}"
-    assert context.document.solution is not None
-    export_project(context.document.project, context.document.solution, shown)
-    assert context.document.project.expression == {"12L": 0.5, "12R": 0.5}
-    assert written.read_bytes() == shown.read_bytes()
-
-
-def test_an_export_that_fails_says_so(context: Context, desk: Desk, tmp_path: Path) -> None:
-    desk.path = tmp_path / "missing" / "face.glb"
-    with pytest.raises(RisoriusError, match="solved"):
-        export_to(context, desk.path)
-    context.solving.solve()
-    do("file.export.glb", context)
-    assert len(desk.errors) == 1
-    assert desk.messages == []
-
-
-def test_a_picture_gets_its_ending(context: Context, desk: Desk, tmp_path: Path) -> None:
-    desk.path = tmp_path / "smile"
-    do("file.screenshot", context)
-    assert desk.calls == [("save_picture", tmp_path / "smile.png")]
-
-
-def test_thinking_better_of_it_changes_nothing(context: Context, desk: Desk) -> None:
-    for action in ("file.open", "file.save", "file.save-as", "file.screenshot"):
-        do(action, context)
-    assert len(desk.questions) == 4
-    assert context.document.path is None
-    assert desk.errors == desk.messages == []
-
-
-@pytest.mark.parametrize(("answer", "leaves", "saved"), [("cancel", False, 0), ("discard", True, 0), ("save", True, 1)])
-def test_unsaved_changes_are_asked_about(
-    context: Context, desk: Desk, file: Path, answer: Answer, leaves: bool, saved: int
-) -> None:
-    assert may_leave(context)
-    assert desk.questions == []
-    desk.answer, desk.path = answer, file
-    context.document.preview({"17": 0.5})
-    assert may_leave(context) is leaves
-    assert desk.questions[0] == "Untitled (Patch)"
-    assert file.exists() == bool(saved)
-    assert context.document.shown == {"17": 0.5}
-
-
-def test_a_save_that_fails_or_is_abandoned_keeps_the_window_open(context: Context, desk: Desk, tmp_path: Path) -> None:
-    context.document.set_weights({"17": 0.5})
-    desk.answer = "save"
-    assert not may_leave(context)
-    desk.path = tmp_path / "missing" / "file.risorius"
-    assert not may_leave(context)
-    assert len(desk.errors) == 1
-
-
-def test_opening_asks_about_changes_and_keeps_them_if_told_so(
-    context: Context, desk: Desk, project: Project, file: Path
-) -> None:
-    save_project(project.posed({"26": 1.0}), file)
-    context.document.set_weights({"17": 0.5})
-    open_path(context, file)
-    assert context.document.shown == {"17": 0.5}
-    desk.answer = "discard"
-    open_path(context, file)
-    assert context.document.shown == {"26": 1.0}
-    assert not context.document.stale
-    assert [action.hint for action in all_actions(context) if action.menu == ("File", "Open recent")] == [
-        f"Open {file}"
-    ]
-
-
-def test_a_recent_file_that_is_gone_is_told_and_forgotten(context: Context, desk: Desk, file: Path) -> None:
-    context.settings.remember(file)
-    do("file.recent.0", context)
-    assert len(desk.errors) == 1
-    assert str(file) in desk.errors[0]
-    assert context.settings.preferences.recent == ()
 
 
 def test_a_user_can_give_an_action_other_keys(context: Context) -> None:

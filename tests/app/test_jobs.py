@@ -83,6 +83,12 @@ class Ear:
         return failure
 
 
+def wait_for_workers() -> None:
+    for thread in threading.enumerate():
+        if thread.name.startswith("solve"):
+            thread.join(PATIENCE)
+
+
 @pytest.fixture
 def loop() -> EventLoop:
     return EventLoop()
@@ -210,10 +216,22 @@ def test_a_failure_that_nobody_waits_for_is_logged(
     job.request(project)
     job.cancel()
     let.set()
-    loop.run_until(lambda: bool(caplog.records) or not ear.said)
     job.close()
+    wait_for_workers()
     assert ear.names == ["started", "cancelled"]
     assert "KeyError: 'lost'" in caplog.text
+
+
+def test_a_closed_job_brings_nothing_more(project: Project, loop: EventLoop, gate: Gate, job: SolveJob) -> None:
+    ear = Ear(job)
+    job.request(project)
+    gate.started.get(timeout=PATIENCE)
+    job.close()
+    gate.phases.release(2)
+    wait_for_workers()
+    assert gate.ended.get(timeout=PATIENCE) == "Cancelled"
+    assert loop.inbox.empty()
+    assert ear.names == ["started"]
 
 
 def test_without_an_event_loop_a_request_waits_for_its_answer(project: Project) -> None:
