@@ -12,9 +12,9 @@ from fem.factor import Factor, LooseMatrixError, factorise
 from fem.supports import Supports
 from fem.types import BoolArray, FloatArray, IntArray
 
-# Loads solved between two calls of the progress callback: large enough that the factors are streamed from
-# memory once for many, small enough that cancelling is felt as immediate.
-CHUNK = 8
+# Right-hand sides solved between two calls of the progress callback: enough that the factors are streamed from memory
+# once for many, few enough that cancelling is felt as immediate.
+CHUNK = 16
 
 Progress = Callable[[int, int], None]
 
@@ -135,19 +135,20 @@ class SurfaceSystem:
         if values is not None and values.shape != loads.shape:
             raise FemError(f"The held values are {values.shape}, the loads {loads.shape}; they must agree.")
         total = 1 if loads.ndim == 2 else loads.shape[2]
-        rows = loads.reshape(self.dofs.n_dofs, 3, total)
-        held = None if values is None else values.reshape(self.dofs.n_dofs, 3, total)
-        result = np.empty(rows.shape)
         if progress is not None:
             progress(0, total)
         self.factorise()
-        for start in range(0, total, CHUNK):
-            chunk = slice(start, min(start + CHUNK, total))
-            result[..., chunk] = self._solved(rows[..., chunk], None if held is None else held[..., chunk])
-            self.loads_solved += chunk.stop - chunk.start
-            if progress is not None:
-                progress(chunk.stop, total)
-        return result.reshape(loads.shape)
+        columns = self._to_unknowns(loads)
+        solution = np.zeros(columns.shape)
+        right = columns[self._free]
+        if values is not None:
+            solution[self._held] = self._to_unknowns(values)[self._held]
+            right -= self._free_by_held @ solution[self._held]
+        solution[self._free] = self._solved(right, total, progress)
+        if self._rotation is not None:
+            solution = self._rotation @ solution
+        self.loads_solved += total
+        return solution.reshape(loads.shape)
 
     def _checked(self, array: FloatArray, name: str) -> FloatArray:
         array = np.asarray(array, dtype=np.float64)
@@ -160,19 +161,18 @@ class SurfaceSystem:
             raise FemError(f"The {name} are not finite at vertex {vertex}.")
         return array
 
-    def _solved(self, loads: FloatArray, held: FloatArray | None) -> FloatArray:
-        shape = loads.shape
-        columns = self._to_unknowns(loads)
-        solution = np.zeros(columns.shape)
-        right = columns[self._free]
-        if held is not None:
-            solution[self._held] = self._to_unknowns(held)[self._held]
-            right = right - self._free_by_held @ solution[self._held]
-        if self._factor is not None:
-            solution[self._free] = self._factor.solve(right)
-        if self._rotation is not None:
-            solution = self._rotation @ solution
-        return solution.reshape(shape)
+    def _solved(self, right: FloatArray, total: int, progress: Progress | None) -> FloatArray:
+        if self._factor is None:
+            return right
+        # SuperLU wants its columns contiguous; so does every chunk then.
+        right = np.asfortranarray(right)
+        count = right.shape[1]
+        for start in range(0, count, CHUNK):
+            chunk = slice(start, min(start + CHUNK, count))
+            right[:, chunk] = self._factor.solve(right[:, chunk])
+            if progress is not None:
+                progress(chunk.stop * total // count, total)
+        return right
 
     def _to_unknowns(self, fields: FloatArray) -> FloatArray:
         rows = 3 * self.dofs.n_dofs if self.is_coupled else self.dofs.n_dofs
