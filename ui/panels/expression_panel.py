@@ -74,15 +74,16 @@ class ExpressionPanel(QWidget):
             group.hide()
             group.deleteLater()
         titles = muscle_titles(project.muscles)
-        self.groups = {
-            key: Collapsible(title)
-            for key, title in GROUP_TITLES.items()
-            if any(unit.group == key for unit in project.units)
-        }
-        self.rows = {unit.number: UnitRow(self._document, self._view, unit, titles) for unit in project.units}
-        for row in self.rows.values():
-            row.hovered.connect(self.unit_hovered)
-            self.groups[row.unit.group].rows.addWidget(row)
+        self.groups = {}
+        self.rows = {}
+        for key, title in GROUP_TITLES.items():
+            units = [unit for unit in project.units if unit.group == key]
+            if units:
+                self.groups[key] = Collapsible(title)
+            for unit in units:
+                self.rows[unit.number] = UnitRow(self._document, self._view, unit, titles)
+                self.rows[unit.number].hovered.connect(self.unit_hovered)
+                self.groups[key].rows.addWidget(self.rows[unit.number])
         for place, (key, group) in enumerate(self.groups.items()):
             group.folded.connect(lambda folded, key=key: self._note_fold(key, folded))
             self._list.insertWidget(place, group)

@@ -44,7 +44,7 @@ def _solution_lines(solution: Solution) -> tuple[tuple[str, str], ...]:
     display = solution.basis.display
     steps = tuple((f"{step.capitalize()}", f"{took:.2f} s") for step, took in solution.seconds.items())
     return (
-        ("Unknowns per coordinate", _whole(solution.unknowns)),
+        ("Unknowns", _whole(solution.unknowns)),
         ("Fields", _whole(len(solution.basis.names))),
         ("Points drawn", _whole(len(display.points))),
         *steps,

@@ -39,7 +39,7 @@ class UnitRow(QWidget):
         self._expression: Expression = {}
         self.slider = self._slider(unit_title(unit), "both", unit.fields)
         self.sides: tuple[ActivationSlider, ...] = ()
-        self.split = _button("call-split", f"Left and right of {unit.name} apart")
+        self.split = _button("arrow-split-vertical", f"Left and right of {unit.name} apart")
         self.split.setCheckable(True)
         self.clear = _button("restore", f"Reset {unit.name}")
         self.clear.clicked.connect(self.slider.reset)
@@ -148,7 +148,8 @@ class UnitRow(QWidget):
 
 def _button(glyph: str, text: str) -> QToolButton:
     button = QToolButton()
-    button.setIcon(icon(glyph))
+    button.setIcon(icon(glyph, quiet=True))
+    button.setAutoRaise(True)
     button.setToolTip(text)
     button.setAccessibleName(text)
     button.setProperty("role", "small")

@@ -15,14 +15,19 @@ FAMILY = "mdi6"
 class GlyphIcon(QIconEngine):
     """One glyph of the icon font; sharp at every scale, right after every change of theme."""
 
-    def __init__(self, glyph: str) -> None:
+    def __init__(self, glyph: str, mirrored: bool = False, quiet: bool = False) -> None:
         super().__init__()
         self.glyph = glyph
+        self.mirrored = mirrored
+        self.quiet = quiet
 
     def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
         """Draw the glyph centred in ``rect``."""
         painter.save()
-        painter.setPen(_colour(mode, state))
+        if self.mirrored:
+            painter.translate(2 * rect.x() + rect.width(), 0)
+            painter.scale(-1, 1)
+        painter.setPen(_colour(mode, state, self.quiet))
         painter.setFont(qtawesome.font(FAMILY, max(1, rect.height())))
         painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, qtawesome.charmap(f"{FAMILY}.{self.glyph}"))
         painter.restore()
@@ -39,15 +44,19 @@ class GlyphIcon(QIconEngine):
 
     def clone(self) -> GlyphIcon:
         """Another engine for the same glyph."""
-        return GlyphIcon(self.glyph)
+        return GlyphIcon(self.glyph, self.mirrored, self.quiet)
 
 
-def icon(glyph: str) -> QIcon:
-    """An icon by its name in Material Design Icons, for example ``skull-outline``."""
-    return QIcon(GlyphIcon(glyph))
+def icon(glyph: str, quiet: bool = False) -> QIcon:
+    """An icon by its name in Material Design Icons; ``head-outline:mirrored`` turns one to the other side.
+
+    A quiet one recedes until the pointer is on it, as befits what stands in every row.
+    """
+    name, _, turned = glyph.partition(":")
+    return QIcon(GlyphIcon(name, turned == "mirrored", quiet))
 
 
-def _colour(mode: QIcon.Mode, state: QIcon.State) -> QColor:
+def _colour(mode: QIcon.Mode, state: QIcon.State, quiet: bool) -> QColor:
     theme = current_theme()
     if mode == QIcon.Mode.Disabled:
         return blend(theme.panel, theme.muted, 0.5)
@@ -55,4 +64,4 @@ def _colour(mode: QIcon.Mode, state: QIcon.State) -> QColor:
         return QColor(theme.text)
     if mode in (QIcon.Mode.Active, QIcon.Mode.Selected):
         return QColor(theme.text)
-    return QColor(theme.muted)
+    return blend(theme.panel, theme.muted, 0.55) if quiet else QColor(theme.muted)

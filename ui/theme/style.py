@@ -39,9 +39,6 @@ QStatusBar { background: $window; color: $muted; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: $muted; }
 
-QDockWidget { font-size: ${small}px; color: $muted; }
-QDockWidget::title { background: $panel; padding: 8px; text-align: left; }
-
 QLineEdit { background: $raised; border: 1px solid $line; border-radius: 3px; padding: 0 6px;
   min-height: ${field}px; selection-background-color: $accent; selection-color: $on_accent; }
 QLineEdit:focus { border-color: $accent; }

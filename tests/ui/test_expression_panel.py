@@ -1,0 +1,230 @@
+"""The panel and the document, bound both ways."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.document import Document
+from app.view import View
+from tests.ui.hands import drag
+from ui.panels.emotion_match import shown_strength
+from ui.panels.expression_panel import ExpressionPanel
+from ui.panels.unit_text import muscle_titles, unit_matches, unit_tooltip
+
+
+@pytest.fixture
+def panel(shown, document, view) -> ExpressionPanel:
+    panel = ExpressionPanel(document, view)
+    panel.resize(360, 700)
+    return shown(panel)
+
+
+def visible(panel: ExpressionPanel) -> set[int]:
+    return {number for number, row in panel.rows.items() if row.isVisibleTo(panel)}
+
+
+def test_a_drag_previews_and_release_is_one_step_that_undo_takes_back(panel, document):
+    drag(panel.rows[17].slider, 0.1, 0.6, release=False)
+    held = document.shown["17"]
+    assert held == pytest.approx(0.5, abs=0.01)
+    assert document.project.expression == {}
+    drag(panel.rows[17].slider, 0.1, 0.6)
+    assert document.history.done == ("Chin raiser",)
+    document.undo()
+    assert panel.rows[17].slider.weight == 0.0
+    document.redo()
+    assert panel.rows[17].slider.weight == document.project.expression["17"]
+
+
+def test_escape_in_a_drag_leaves_no_step_and_the_old_weight(panel, document):
+    document.set_weights({"17": 0.3})
+    slider = panel.rows[17].slider
+    drag(slider, 0.1, 0.9, release=False)
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    assert document.shown == {"17": 0.3}
+    assert slider.weight == 0.3
+    assert len(document.history.done) == 1
+
+
+def test_one_bar_drives_both_sides(panel, document):
+    drag(panel.rows[12].slider, 0.0, 0.5)
+    assert document.shown["12L"] == document.shown["12R"] == pytest.approx(0.5, abs=0.01)
+    assert len(document.history.done) == 1
+
+
+def test_the_split_row_moves_one_side_alone_and_its_bar_shows_both(panel, document):
+    row = panel.rows[12]
+    QTest.mouseClick(row.split, Qt.MouseButton.LeftButton)
+    left, right = row.sides
+    drag(left, 0.0, 0.5)
+    assert document.shown["12L"] == pytest.approx(0.5, abs=0.02)
+    assert document.shown.get("12R", 0.0) == 0.0
+    assert right.weight == 0.0
+    assert row.slider.number == f"{document.shown['12L']:.2f} · 0.00"
+
+
+def test_linked_sides_follow_each_other_even_where_a_row_is_split(panel, document, view):
+    row = panel.rows[12]
+    QTest.mouseClick(row.split, Qt.MouseButton.LeftButton)
+    assert not view.state.linked
+    QTest.mouseClick(panel.link, Qt.MouseButton.LeftButton)
+    assert view.state.linked
+    drag(row.sides[1], 0.0, 0.4)
+    assert document.shown["12L"] == document.shown["12R"] > 0.3
+
+
+def test_a_unit_without_sides_offers_no_split(panel):
+    assert not panel.rows[17].split.isVisibleTo(panel)
+    assert panel.rows[12].split.isVisibleTo(panel)
+
+
+def test_reset_is_there_once_something_changed_and_relaxes_that_row_alone(panel, document):
+    row = panel.rows[17]
+    assert not row.clear.isVisibleTo(panel)
+    document.set_weights({"17": 0.4, "26": 0.5})
+    assert row.changed
+    QTest.mouseClick(row.clear, Qt.MouseButton.LeftButton)
+    assert document.shown == {"26": 0.5}
+
+
+def test_reset_all_relaxes_the_face(panel, document):
+    document.set_weights({"17": 0.4, "26": 0.5})
+    QTest.mouseClick(panel.reset, Qt.MouseButton.LeftButton)
+    assert not any(document.shown.values())
+    assert not panel.reset.isEnabled()
+
+
+@pytest.mark.parametrize(
+    ("query", "found"),
+    [
+        ("", {12, 20, 17, 26}),
+        ("12", {12}),
+        ("AU17", {17}),
+        ("12L", {12}),
+        ("lip", {12, 20}),
+        ("corner lip", {12}),
+        ("zygo", {12, 20, 17}),
+        ("jaw", {26}),
+        ("2", set()),
+        ("nose", set()),
+    ],
+)
+def test_the_search_finds_by_number_name_and_muscle(panel, query, found):
+    QTest.keyClicks(panel.search, query)
+    assert visible(panel) == found
+    groups = {panel.rows[number].unit.group for number in found}
+    assert {key for key, group in panel.groups.items() if group.isVisibleTo(panel)} == groups
+
+
+def test_escape_empties_the_search_and_enter_goes_to_the_first_bar(panel):
+    QTest.keyClicks(panel.search, "jaw")
+    QTest.keyClick(panel.search, Qt.Key.Key_Return)
+    assert panel.rows[26].slider.hasFocus()
+    panel.focus_search()
+    QTest.keyClick(panel.search, Qt.Key.Key_Escape)
+    assert len(visible(panel)) == 4
+
+
+def test_a_group_folds_and_tells_so_and_a_search_looks_into_it(panel):
+    told = []
+    panel.folds_changed.connect(told.append)
+    QTest.mouseClick(panel.groups["jaw"].heading, Qt.MouseButton.LeftButton)
+    assert told == [frozenset({"jaw"})]
+    assert 26 not in visible(panel)
+    QTest.keyClicks(panel.search, "jaw")
+    assert 26 in visible(panel)
+    panel.search.clear()
+    assert 26 not in visible(panel)
+
+
+def test_a_click_on_an_emotion_is_one_step_to_all_of_it_and_another_click_relaxes(panel, document):
+    button = panel.emotions.buttons["happiness"]
+    document.set_weights({"17": 0.4})
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert {name: w for name, w in document.shown.items() if w} == {"12L": 0.9, "12R": 0.9}
+    assert (button.strength, button.isChecked()) == (1.0, True)
+    assert len(document.history.done) == 2
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert not any(document.shown.values())
+
+
+def test_a_drag_across_an_emotion_sets_its_strength(panel, document):
+    button = panel.emotions.buttons["happiness"]
+    drag(button, 0.2, 0.5)
+    assert button.strength == pytest.approx(0.5, abs=0.02)
+    assert document.shown["12L"] == pytest.approx(0.9 * button.strength)
+    assert len(document.history.done) == 1
+
+
+def test_escape_in_a_drag_across_an_emotion_restores_the_face(panel, document):
+    document.set_weights({"17": 0.4})
+    button = panel.emotions.buttons["surprise"]
+    button.setFocus()
+    drag(button, 0.2, 0.8, release=False)
+    assert "26" in document.shown
+    QTest.keyClick(button, Qt.Key.Key_Escape)
+    assert document.shown == {"17": 0.4}
+
+
+def test_the_strength_bar_scales_the_emotion_that_is_on(panel, document):
+    assert not panel.emotions.strength.isEnabled()
+    document.apply_emotion("happiness")
+    assert panel.emotions.strength.isEnabled()
+    drag(panel.emotions.strength, 0.9, 0.4)
+    assert document.shown["12R"] == pytest.approx(0.45, abs=0.01)
+    assert panel.emotions.buttons["happiness"].strength == pytest.approx(0.5, abs=0.01)
+
+
+def test_an_emotion_with_anything_else_is_no_longer_that_emotion(document):
+    happiness, _ = document.project.emotions
+    assert shown_strength({"12L": 0.45, "12R": 0.45}, happiness, document.project) == pytest.approx(0.5)
+    assert shown_strength({"12L": 0.45, "12R": 0.40}, happiness, document.project) == 0.0
+    assert shown_strength({"12L": 0.45, "12R": 0.45, "17": 0.1}, happiness, document.project) == 0.0
+    assert shown_strength({}, happiness, document.project) == 0.0
+
+
+def test_hovering_a_row_names_its_unit(panel, qtbot):
+    heard = []
+    panel.unit_hovered.connect(heard.append)
+    panel.rows[12].slider.setFocus()
+    panel.rows[26].slider.setFocus()
+    assert [unit and unit.number for unit in heard] == [12, None, 26]
+
+
+def test_another_project_has_its_own_rows(panel, document, patch):
+    fewer = Document(patch)
+    assert set(panel.rows) == {unit.number for unit in fewer.project.units}
+    other = replace(patch, units=patch.units[:1], emotions=())
+    panel.show_project(other)
+    QApplication.processEvents()
+    assert set(panel.rows) == {12}
+    assert panel.emotions.buttons == {}
+
+
+def test_tab_walks_through_bars_in_the_order_they_are_seen(panel):
+    panel.search.setFocus()
+    seen = []
+    for _ in range(40):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        seen.append(QApplication.focusWidget())
+    rows = [row.slider for row in panel.rows.values()]
+    order = [widget for widget in seen if widget in rows]
+    ys = [slider.mapTo(panel, slider.rect().topLeft()).y() for slider in order]
+    first = ys[: len(rows)]
+    assert first == sorted(first)
+    assert set(order) == set(rows)
+
+
+def test_a_tooltip_names_muscle_and_millimetres(patch):
+    titles = muscle_titles(patch.muscles)
+    assert "Zygomaticus major" in unit_tooltip(patch.units[0], titles)
+    assert "5 mm" in unit_tooltip(patch.units[0], titles)
+    assert unit_matches("au 12", patch.units[0], titles)
+
+
+def test_the_view_is_told_of_the_link_and_tells_it(panel, view: View):
+    view.change(linked=False)
+    assert not panel.link.isChecked()

@@ -1,0 +1,45 @@
+"""Questions and answers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from app.actions.context import Answer, FileQuestion
+
+Button = QMessageBox.StandardButton
+
+
+def ask_path(parent: QWidget, question: FileQuestion) -> Path | None:
+    """A file chosen in the system's dialog; none if the person thought better of it."""
+    kinds = f"{question.kind} (*{question.suffix})"
+    ask = QFileDialog.getSaveFileName if question.writes else QFileDialog.getOpenFileName
+    chosen, _kind = ask(parent, question.title, str(question.start), kinds)
+    return Path(chosen) if chosen else None
+
+
+def ask_unsaved(parent: QWidget, name: str) -> Answer:
+    """What to do with unsaved changes."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("Unsaved changes")
+    box.setIcon(QMessageBox.Icon.NoIcon)
+    box.setText(f"“{name}” has changes that are not saved.")
+    box.setInformativeText("Discarded changes cannot be brought back.")
+    box.setStandardButtons(Button.Save | Button.Discard | Button.Cancel)
+    box.setDefaultButton(Button.Save)
+    box.setEscapeButton(Button.Cancel)
+    answers: dict[int, Answer] = {Button.Save.value: "save", Button.Discard.value: "discard"}
+    return answers.get(box.exec(), "cancel")
+
+
+def show_error(parent: QWidget, sentence: str, details: str = "") -> None:
+    """One sentence that says what went wrong, where, and what to do about it."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("Risorius")
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setText(sentence)
+    if details:
+        box.setDetailedText(details)
+    box.setStandardButtons(Button.Ok)
+    box.exec()

@@ -1,0 +1,104 @@
+"""What actions ask of the window."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtGui import QGuiApplication
+
+from app.actions.context import Answer, FileQuestion
+from ui.window import dialogs
+from ui.window.pages import about_page, shortcuts_page
+
+if TYPE_CHECKING:
+    from ui.window.main_window import MainWindow
+
+
+class WindowHost:
+    """`app.actions.context.Host` for one main window.
+
+    Parameters
+    ----------
+    window : its parts may still be under construction; they are reached when an action asks for them
+    """
+
+    def __init__(self, window: MainWindow) -> None:
+        self._window = window
+
+    def ask_path(self, question: FileQuestion) -> Path | None:
+        """A file; none if the person thought better of it."""
+        return dialogs.ask_path(self._window, question)
+
+    def ask_unsaved(self, name: str) -> Answer:
+        """What to do with the unsaved changes of a document."""
+        return dialogs.ask_unsaved(self._window, name)
+
+    def show_error(self, sentence: str) -> None:
+        """Show what went wrong."""
+        dialogs.show_error(self._window, sentence)
+
+    def show_message(self, sentence: str) -> None:
+        """Say something in passing."""
+        self._window.status.notify(sentence)
+
+    def clipboard(self) -> str:
+        """The text in the clipboard."""
+        return QGuiApplication.clipboard().text()
+
+    def set_clipboard(self, text: str) -> None:
+        """Put text into the clipboard."""
+        QGuiApplication.clipboard().setText(text)
+
+    def save_picture(self, path: Path) -> None:
+        """Write what the viewport shows as a PNG; raises `RisoriusError` if that fails."""
+        self._window.viewport.save_picture(path)
+
+    def frame_head(self) -> None:
+        """Show the whole head."""
+        self._window.viewport.frame_head()
+
+    def frame_selection(self) -> None:
+        """Bring the selected muscle, or else the face, near."""
+        self._window.viewport.frame_selection()
+
+    def focus_search(self) -> None:
+        """Put the keyboard into the search over the action units."""
+        self._window.show_dock("expression")
+        self._window.expression.focus_search()
+
+    def focus_unit(self, number: int) -> None:
+        """Show the row of an action unit and put the keyboard on its slider."""
+        self._window.show_dock("expression")
+        self._window.expression.focus_unit(number)
+
+    def show_palette(self) -> None:
+        """Open the command palette."""
+        self._window.palette_box.open_palette()
+
+    def show_face_information(self) -> None:
+        """Show the figures of the face."""
+        self._window.show_dock("information")
+
+    def show_shortcuts(self) -> None:
+        """Show all keys."""
+        shortcuts_page(self._window, self._window.binding).exec()
+
+    def show_about(self) -> None:
+        """Show version and licences."""
+        about_page(self._window).exec()
+
+    def reset_layout(self) -> None:
+        """Put all panels where they were at the first start."""
+        self._window.reset_layout()
+
+    def toggle_full_screen(self) -> None:
+        """Fill the screen, or leave it."""
+        if self._window.isFullScreen():
+            self._window.showNormal()
+        else:
+            self._window.showFullScreen()
+
+    def quit(self) -> None:
+        """Close the window, which asks about unsaved changes."""
+        self._window.close()
