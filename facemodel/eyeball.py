@@ -126,6 +126,13 @@ def _cornea(ball: float) -> _Profile:
     return _Profile(CORNEA_CURVATURE * np.sin(angle), height + 0.02, np.sin(angle), np.cos(angle))
 
 
+def cornea_cap(eye: Eye) -> tuple[FloatArray, float]:
+    """Centre (3,) and radius of the sphere that the corneal cap is part of."""
+    base = IRIS_RADIUS * 1.06
+    forward = np.sqrt(eye.radius**2 - base**2) - np.sqrt(CORNEA_CURVATURE**2 - base**2)
+    return eye.centre + np.array([0.0, 0.0, forward]), CORNEA_CURVATURE
+
+
 def _revolve(profile: _Profile, around: int) -> tuple[FloatArray, FloatArray, IntArray]:
     """Vertices (R A, 3), normals and triangles of a profile turned about z, rings from the outside inwards."""
     turn = 2 * np.pi * np.arange(around) / around

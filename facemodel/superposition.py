@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 from facemodel.actions import Expression
 from facemodel.basis import Basis
 from facemodel.face import Face, Jaw
+from facemodel.glide import LidGlide
 from fem.types import Float32Array, FloatArray
 
 REFRESH_AFTER = 256
@@ -47,7 +48,7 @@ class Superposition:
     """One posed face in reused float32 buffers.
 
     The buffer holds the carried parts, the moving skin and the held skin one behind the other, so that one
-    matrix-vector product writes the very array that is drawn.
+    matrix-vector product writes the very array that is drawn; the few points of the lids are then put on the eyeballs.
 
     Attributes
     ----------
@@ -55,9 +56,14 @@ class Superposition:
     normals : (P, 3) float32, its unit normals; always the same array
     parts : posed points (n, 3) float32 of every part of the face by its name; always the same arrays
     jaw : (4, 4) motion of the mandible
+
+    Parameters
+    ----------
+    face, basis : what is posed
+    glide : let the lids glide on the eyeballs; without it the pose is the pure linear sum
     """
 
-    def __init__(self, face: Face, basis: Basis) -> None:
+    def __init__(self, face: Face, basis: Basis, *, glide: bool = True) -> None:
         self.face = face
         self.basis = basis
         display = basis.display
@@ -80,6 +86,10 @@ class Superposition:
             self.parts[name] = self._buffer.reshape(-1, 3)[start : start + count]
             start += count
         self.jaw: FloatArray = np.eye(4)
+        eyes = face.eyes if glide else ()
+        self._first_skin = first_skin
+        self._glide = LidGlide(eyes, self._buffer[: self._live].reshape(-1, 3))
+        self._lids = self._buffer.reshape(-1, 3)[self._glide.points]
 
     def pose(self, expression: Expression) -> None:
         """Write the buffers for an expression; names without a field are ignored.
@@ -94,6 +104,8 @@ class Superposition:
         changed = np.flatnonzero(weights != self._weights)
         if len(changed) == 0:
             return
+        live = self._buffer[: self._live].reshape(-1, 3)
+        live[self._glide.points] = self._lids
         if len(changed) == 1 and self._increments < REFRESH_AFTER and weights.any():
             self._increments += 1
             step = float(weights[changed[0]] - self._weights[changed[0]])
@@ -104,6 +116,19 @@ class Superposition:
         self._weights = weights
         self._turn_normals()
         self._turn_jaw()
+        self._lids = live[self._glide.points]
+        live[self._glide.points] = self._glided()
+
+    def _glided(self) -> Float32Array:
+        """The lid points as they lie on the eyeballs; the normals of those on the skin turn with them."""
+        at = self._glide.points - self._first_skin
+        on_skin = at >= 0
+        normals = np.zeros_like(self._lids)
+        normals[on_skin] = self.normals[at[on_skin]]
+        lids = self._lids.copy()
+        self._glide.push(lids, normals)
+        self.normals[at[on_skin]] = normals[on_skin]
+        return lids
 
     def _add(self, row: int, weight: float) -> None:
         saxpy(self.basis.fields[row], self._buffer, n=self._live, a=weight)

@@ -10,7 +10,7 @@ from facemodel.making.cut import Cut, cut_head
 from facemodel.making.individuals import Individual, positions
 from facemodel.making.landmarks import landmarks as find_landmarks
 from facemodel.making.paint import paint
-from facemodel.making.parts import eyes, lashes, pocket, rigid
+from facemodel.making.parts import eye, lashes, pocket, rigid
 from facemodel.making.skull.make import make_skull
 from facemodel.making.wheel import Wheel
 from facemodel.mesh import Mesh
@@ -47,8 +47,11 @@ def make_face(wheel: Wheel, person: Individual, cut: Cut) -> Face:
     shape = shape - head_origin(shape, cut)
     skin = Mesh(cut.positions(shape), cut.triangles)
     marks = find_landmarks(cut, base.positions)
-    eye_pair = eyes(base, shape)
     loops = {("L" if skin.positions[loop][:, 0].mean() > 0 else "R"): loop for loop in skin.boundary_loops[:2]}
+    eye_pair = (
+        eye("L", base, shape, skin.positions[loops["L"]]),
+        eye("R", base, shape, skin.positions[loops["R"]]),
+    )
     parts = (
         pocket(base, shape, cut, MOUTH_POCKET, "mouth-lining", "lining"),
         *(pocket(base, shape, cut, seed, f"socket-{side}", "socket") for side, seed in SOCKETS.items()),

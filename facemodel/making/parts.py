@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.optimize import least_squares
 from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import splu
 
+from facemodel.actions import Side
 from facemodel.face import Carrier, Eye, Part, PartKind
 from facemodel.making.cut import Cut, island_of, uv_islands
 from facemodel.making.wheel import BaseMesh
@@ -16,6 +18,7 @@ LASH_GROUPS = {
     "L": ("helper-l-eyelashes-1", "helper-l-eyelashes-2"),
     "R": ("helper-r-eyelashes-1", "helper-r-eyelashes-2"),
 }
+EYE_GROUPS = {"L": "helper-l-eye", "R": "helper-r-eye"}
 NEAREST = 4
 """Skin vertices that carry a lash vertex: enough to be smooth, few enough to stay on its own lid."""
 
@@ -27,15 +30,28 @@ def fitted_sphere(points: FloatArray) -> tuple[FloatArray, float]:
     return solution[:3], float(np.sqrt(solution[3] + solution[:3] @ solution[:3]))
 
 
-def eyes(base: BaseMesh, shape: FloatArray) -> tuple[Eye, Eye]:
-    """The two eyeballs of a shape (V, 3), from the sclera of the base mesh's eyes."""
-    found = []
-    for side, group in (("L", "helper-l-eye"), ("R", "helper-r-eye")):
-        points = shape[np.unique(base.groups[group][:, :, 0])]
-        back = points[:, 2] < np.quantile(points[:, 2], 0.8)
-        centre, radius = fitted_sphere(points[back])
-        found.append(Eye("L" if side == "L" else "R", centre, radius))
-    return found[0], found[1]
+LID_GAP = 0.3
+"""Millimetres between the eyeball and the lid margins that rest on it."""
+
+CARUNCLE = 4.0
+"""Millimetres about the inner corner of the eye where the lids do not touch the eyeball."""
+
+
+def eye(side: Side, base: BaseMesh, shape: FloatArray, margin: FloatArray) -> Eye:
+    """One eyeball of a shape (V, 3), pushed back until the lids rest on it.
+
+    The radius is that of the base mesh's eye, whose front stands millimetres before the lids; the centre is the
+    one with which the lid margins lie nearest to the eyeball's surface.
+
+    Parameters
+    ----------
+    margin : (n, 3) the loop of the skin around this eye
+    """
+    centre, radius = fitted_sphere(shape[np.unique(base.groups[EYE_GROUPS[side]][:, :, 0])])
+    inner = margin[np.abs(margin[:, 0]).argmin()]
+    resting = margin[np.linalg.norm(margin - inner, axis=1) > CARUNCLE]
+    fitted = least_squares(lambda c: np.linalg.norm(resting - c, axis=1) - radius - LID_GAP, centre)
+    return Eye(side, np.asarray(fitted.x), radius)
 
 
 def _triangles(quads: IntArray) -> tuple[IntArray, IntArray]:
