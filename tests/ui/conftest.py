@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import pytest
 from PySide6.QtWidgets import QApplication, QWidget
@@ -47,15 +47,17 @@ def view() -> View:
 
 
 @pytest.fixture
-def shown(qtbot, qapp: QApplication) -> Callable[[QWidget], QWidget]:
+def shown(qtbot, qapp: QApplication) -> Iterator[Callable[[QWidget], QWidget]]:
     """Show a widget and keep it until the test is over."""
+    kept: list[QWidget] = []
 
     def show(widget: QWidget) -> QWidget:
         qtbot.addWidget(widget)
+        kept.append(widget)
         widget.show()
         qtbot.waitExposed(widget)
         widget.activateWindow()
         QApplication.processEvents()
         return widget
 
-    return show
+    yield show

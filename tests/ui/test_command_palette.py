@@ -1,0 +1,82 @@
+"""The palette: type, walk, run."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+
+from ui.widgets.command_palette import CommandPalette, PaletteEntry
+
+ENTRIES = (
+    PaletteEntry("Skull", "View", "K", (0, 1), payload="skull"),
+    PaletteEntry("Undo", "Edit", "Ctrl+Z", enabled=False, payload="undo"),
+    PaletteEntry("Neutral face", "Edit", "0", payload="neutral"),
+)
+
+
+def rank(text: str) -> list[PaletteEntry]:
+    return [entry for entry in ENTRIES if text.lower() in entry.title.lower()]
+
+
+@pytest.fixture
+def palette(shown) -> CommandPalette:
+    host = QWidget()
+    host.resize(900, 600)
+    palette = CommandPalette(host, rank)
+    shown(host)
+    palette.open_palette()
+    return palette
+
+
+@pytest.fixture
+def ran(palette) -> list[object]:
+    ran: list[object] = []
+    palette.chosen.connect(ran.append)
+    return ran
+
+
+def test_enter_runs_the_first_match_and_closes(palette, ran):
+    QTest.keyClicks(palette.line, "neu")
+    QTest.keyClick(palette.line, Qt.Key.Key_Return)
+    assert ran == ["neutral"]
+    assert not palette.isVisible()
+
+
+def test_arrows_walk_round_past_what_cannot_be_run(palette, ran):
+    for _ in range(3):
+        QTest.keyClick(palette.line, Qt.Key.Key_Down)
+    QTest.keyClick(palette.line, Qt.Key.Key_Return)
+    assert ran == ["neutral"]
+
+
+def test_up_from_the_first_is_the_last(palette, ran):
+    QTest.keyClick(palette.line, Qt.Key.Key_Up)
+    QTest.keyClick(palette.line, Qt.Key.Key_Return)
+    assert ran == ["neutral"]
+
+
+def test_a_click_runs_a_line_but_not_one_that_cannot_be_run(palette, ran):
+    def click(row: int) -> None:
+        place = palette.list.visualRect(palette.list.model().index(row, 0)).center()
+        QTest.mouseClick(palette.list.viewport(), Qt.MouseButton.LeftButton, pos=place)
+
+    click(1)
+    assert ran == []
+    click(0)
+    assert ran == ["skull"]
+
+
+def test_escape_closes_and_nothing_runs(palette, ran):
+    QTest.keyClick(palette.line, Qt.Key.Key_Escape)
+    assert not palette.isVisible()
+    assert ran == []
+
+
+def test_nothing_that_matches_runs_nothing(palette, ran):
+    QTest.keyClicks(palette.line, "zzz")
+    QTest.keyClick(palette.line, Qt.Key.Key_Return)
+    assert ran == []
+
+
+def test_it_lies_inside_its_window(palette):
+    assert palette.parentWidget().rect().contains(palette.geometry())

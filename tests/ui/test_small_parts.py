@@ -1,0 +1,86 @@
+"""Hint card, layout, status line, words beside the pointer, calls from other threads."""
+
+import threading
+
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QPoint, Qt, QThread
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton, QWidget
+
+from ui.widgets.hint_card import HintCard
+from ui.widgets.pointer_label import PointerLabel
+from ui.window.delivery import UiThread
+from ui.window.layout import Layout, layout_from, layout_text
+from ui.window.status_line import StatusLine
+
+
+def test_a_card_goes_once_everything_is_ticked(shown, qtbot):
+    card = shown(HintCard("Try", [("smile", "Smile"), ("turn", "Turn")]))
+    card.tick("smile")
+    assert card.left == {"turn"}
+    with qtbot.waitSignal(card.dismissed, timeout=5000):
+        card.tick("turn")
+
+
+def test_a_card_can_be_closed_at_once(shown, qtbot):
+    card = shown(HintCard("Try", [("smile", "Smile")]))
+    with qtbot.waitSignal(card.dismissed, timeout=1000):
+        QTest.mouseClick(card.findChild(QToolButton), Qt.MouseButton.LeftButton)
+
+
+@given(st.binary(max_size=60), st.frozensets(st.text(max_size=8), max_size=5))
+def test_a_layout_comes_back_from_its_text(docks, folded):
+    assert layout_from(layout_text(Layout(docks, folded))) == Layout(docks, folded)
+
+
+@given(st.text(max_size=40))
+def test_a_text_that_is_no_layout_is_the_default_one(text):
+    assert layout_from(text) == Layout()
+
+
+def test_a_layout_of_another_version_is_the_default_one():
+    assert layout_from('{"version": 0, "docks": "AAAA", "folded": []}') == Layout()
+    assert layout_from('{"version": 1, "docks": "?", "folded": []}') == Layout()
+
+
+def test_the_words_beside_the_pointer_stay_inside(shown):
+    host = QWidget()
+    host.resize(300, 200)
+    label = PointerLabel(host)
+    shown(host)
+    for place in (QPoint(0, 0), QPoint(299, 0), QPoint(0, 199), QPoint(299, 199), QPoint(150, 100)):
+        label.say("Zygomaticus major, left", place)
+        assert host.rect().contains(label.geometry())
+        assert not label.geometry().contains(place)
+    label.say("", QPoint(5, 5))
+    assert not label.isVisible()
+
+
+def test_a_call_from_another_thread_runs_in_ours(qtbot, qapp):
+    ran: list[bool] = []
+    home = UiThread()
+    worker = threading.Thread(target=lambda: home.deliver(lambda: ran.append(QThread.isMainThread())))
+    worker.start()
+    worker.join()
+    assert ran == []
+    qtbot.waitUntil(lambda: ran == [True], timeout=1000)
+
+
+def test_progress_comes_with_a_button_that_cancels_and_goes_with_it(shown, qtbot):
+    line = shown(StatusLine())
+    assert not line.cancel.isVisible()
+    line.show_progress("Factorising", 0.4)
+    assert line.bar.value() == 400
+    with qtbot.waitSignal(line.cancel_asked, timeout=1000):
+        QTest.mouseClick(line.cancel, Qt.MouseButton.LeftButton)
+    line.end_progress()
+    assert not line.bar.isVisible()
+
+
+def test_a_hint_waits_while_a_notice_is_shown(shown):
+    line = shown(StatusLine())
+    line.show_hint("Drag a bar")
+    line.notify("Saved smile.risorius")
+    line.show_hint("Turn the head")
+    assert line.hint.text() == "Saved smile.risorius"
