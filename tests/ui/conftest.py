@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
 from PySide6.QtWidgets import QApplication, QWidget
@@ -47,7 +47,7 @@ def view() -> View:
 
 
 @pytest.fixture
-def shown(qtbot, qapp: QApplication) -> Iterator[Callable[[QWidget], QWidget]]:
+def shown(qtbot, qapp: QApplication) -> Callable[[QWidget], QWidget]:
     """Show a widget and keep it until the test is over."""
     kept: list[QWidget] = []
 
@@ -60,4 +60,4 @@ def shown(qtbot, qapp: QApplication) -> Iterator[Callable[[QWidget], QWidget]]:
         QApplication.processEvents()
         return widget
 
-    yield show
+    return show
