@@ -186,12 +186,17 @@ def test_an_emotion_with_anything_else_is_no_longer_that_emotion(document):
     assert shown_strength({}, happiness, document.project) == 0.0
 
 
-def test_hovering_a_row_names_its_unit(panel, qtbot):
+def test_hovering_a_bar_names_the_muscles_that_move_it(panel):
     heard = []
-    panel.unit_hovered.connect(heard.append)
-    panel.rows[12].slider.setFocus()
+    panel.muscles_hovered.connect(heard.append)
+    row = panel.rows[12]
+    row.slider.setFocus()
+    QTest.mouseClick(row.split, Qt.MouseButton.LeftButton)
+    row.sides[1].setFocus()
     panel.rows[26].slider.setFocus()
-    assert [unit and unit.number for unit in heard] == [12, None, 26]
+    both, right = {"zygomaticus_major_L", "zygomaticus_major_R"}, {"zygomaticus_major_R"}
+    assert [keys for keys in heard if keys] == [both, right]
+    assert heard[-1] == frozenset()
 
 
 def test_another_project_has_its_own_rows(panel, document, patch):

@@ -42,11 +42,11 @@ class ExpressionPanel(QWidget):
 
     Signals
     -------
-    unit_hovered(object) : the ActionUnit under the pointer or the focus, or None
+    muscles_hovered(object) : frozenset of the keys of the muscles of what is under the pointer or the focus
     folds_changed(object) : frozenset of the keys of the folded groups
     """
 
-    unit_hovered = Signal(object)
+    muscles_hovered = Signal(object)
     folds_changed = Signal(object)
 
     def __init__(self, document: Document, view: View) -> None:
@@ -82,7 +82,7 @@ class ExpressionPanel(QWidget):
                 self.groups[key] = Collapsible(title)
             for unit in units:
                 self.rows[unit.number] = UnitRow(self._document, self._view, unit, titles)
-                self.rows[unit.number].hovered.connect(self.unit_hovered)
+                self.rows[unit.number].hovered.connect(self.muscles_hovered)
                 self.groups[key].rows.addWidget(self.rows[unit.number])
         for place, (key, group) in enumerate(self.groups.items()):
             group.folded.connect(lambda folded, key=key: self._note_fold(key, folded))

@@ -26,7 +26,7 @@ class UnitRow(QWidget):
 
     Signals
     -------
-    hovered(object) : the ActionUnit under the pointer or the focus, or None
+    hovered(object) : frozenset of the keys of the muscles that move what is under the pointer or the focus
     """
 
     hovered = Signal(object)
@@ -137,12 +137,19 @@ class UnitRow(QWidget):
         QWidget.setTabOrder(self.clear, self.sides[0])
         QWidget.setTabOrder(*self.sides)
 
+    def _point_at(self, fields: tuple[str, ...]) -> None:
+        """Name the muscles of some of its fields."""
+        sides = {field[-1] for field in fields} if self.unit.paired else {"L", "R"}
+        muscles = self._document.project.muscles if fields else ()
+        pulling = (m for m in muscles if m.name in self.unit.muscles and (m.side == "M" or m.side in sides))
+        self.hovered.emit(frozenset(muscle.key for muscle in pulling))
+
     def _slider(self, label: str, side: str, fields: tuple[str, ...]) -> ActivationSlider:
         slider = ActivationSlider(label, side)  # type: ignore[arg-type]
         slider.previewed.connect(lambda weight: self.preview(fields, weight))
         slider.committed.connect(lambda: self._document.commit())
         slider.cancelled.connect(lambda: self._document.cancel_preview())
-        slider.hovered.connect(lambda inside: self.hovered.emit(self.unit if inside else None))
+        slider.hovered.connect(lambda inside: self._point_at(fields if inside else ()))
         return slider
 
 

@@ -9,7 +9,8 @@ from PySide6.QtGui import QGuiApplication
 
 from app.actions.context import Answer, FileQuestion
 from ui.window import dialogs
-from ui.window.pages import about_page, shortcuts_page
+from ui.window.about_page import about_page
+from ui.window.shortcut_page import ShortcutPage
 
 if TYPE_CHECKING:
     from ui.window.main_window import MainWindow
@@ -82,7 +83,7 @@ class WindowHost:
 
     def show_shortcuts(self) -> None:
         """Show all keys."""
-        shortcuts_page(self._window, self._window.binding).exec()
+        ShortcutPage(self._window, self._window.binding, self._window.context.settings).exec()
 
     def show_about(self) -> None:
         """Show version and licences."""
