@@ -43,11 +43,12 @@ deeper cheeks leave the tooth rows the width of a dental arch."""
 SCALP = 5.5
 TEMPLE = 14.0
 EAR = 9.0
+ARCH = 7.5
 LID = 5.0
 NOSE = 5.0
 SUBMENTAL = 16.0
 NECK = 25.0
-"""Millimetres where the tables are silent: scalp, temporal fossa, under ear, lids and nostrils (below the fair
+"""Millimetres where the tables are silent: scalp, temporal fossa, under ear, cheek bone, lids and nostrils (below the fair
 surface), floor of the mouth, and the neck, whose column stands in for bone."""
 
 
@@ -77,7 +78,8 @@ def _extra_sites(
     for side in "LR":
         temple = (at[f"brow_outer_{side}"] + at[f"supraglenoid_{side}"]) / 2
         sites += [(temple, TEMPLE), (at[f"tragus_{side}"] - [0.0, 0.0, 12 * size], EAR)]
-        sites += [(at[f"ala_{side}"], NOSE)]
+        arch = (at[f"zygion_{side}"] + at[f"lateral_orbit_{side}"]) / 2
+        sites += [(at[f"ala_{side}"], NOSE), (arch, ARCH)]
     sites += [(eye.centre + np.array([0.0, 0.0, eye.radius]), LID) for eye in eyes]
     throat = at["menton"] - [0.0, 0.0, 38 * size]
     sites.append((throat, SUBMENTAL))

@@ -1,4 +1,4 @@
-"""Where a place of one head would be in the head on which the skull was modelled."""
+"""How the head on which the skull was modelled is fitted to another."""
 
 from __future__ import annotations
 
@@ -8,76 +8,64 @@ import numpy as np
 from scipy.interpolate import RBFInterpolator
 
 from facemodel.face import Eye
-from facemodel.making.landmarks import MIDLINE, PAIRED
-from facemodel.mesh import Mesh
+from facemodel.making.landmarks import MIDLINE
+from facemodel.making.skull.depth import BoneEnvelope
 from fem.types import FloatArray
 
-BONY = (
-    "supraglabella",
-    "glabella",
-    "nasion",
-    "rhinion",
-    "subnasale",
-    "mid_philtrum",
-    "chin_lip_fold",
-    "pogonion",
-    "menton",
-    "frontal_eminence",
-    "supraorbital",
-    "suborbital",
-    "inferior_malar",
-    "lateral_orbit",
-    "zygion",
-    "supraglenoid",
-    "gonion",
-    "upper_second_molar",
-    "mid_masseter",
-    "lower_second_molar",
-    "tragus",
-)
-"""Landmarks that follow the bone: lips, lids and the tip of the nose say little of the skull."""
+BONE: Mapping[str, tuple[float, float, float]] = {
+    "supraglabella": (0.0, 770.9, 147.0),
+    "glabella": (0.0, 752.2, 148.5),
+    "nasion": (0.0, 732.2, 143.6),
+    "rhinion": (0.0, 710.3, 155.8),
+    "subnasale": (0.0, 674.9, 146.8),
+    "mid_philtrum": (0.0, 671.4, 147.1),
+    "upper_lip_incisor": (0.0, 667.6, 148.2),
+    "lower_lip_incisor": (0.0, 660.4, 145.6),
+    "chin_lip_fold": (0.0, 646.0, 139.5),
+    "pogonion": (0.0, 635.5, 137.2),
+    "menton": (0.0, 624.0, 134.1),
+    "frontal_eminence": (37.1, 784.5, 128.6),
+    "supraorbital": (29.2, 746.8, 135.0),
+    "suborbital": (29.2, 711.0, 136.0),
+    "inferior_malar": (26.7, 698.5, 134.4),
+    "lateral_orbit": (41.4, 709.1, 125.8),
+    "zygion": (63.2, 708.6, 76.5),
+    "supraglenoid": (64.9, 723.5, 70.1),
+    "gonion": (46.5, 662.5, 76.8),
+    "upper_second_molar": (34.4, 683.2, 101.5),
+    "mid_masseter": (48.1, 682.6, 79.1),
+    "lower_second_molar": (34.1, 657.8, 97.0),
+    "tragus": (63.2, 708.5, 63.6),
+}
+"""Bone under landmarks of the measured head, the base shape: midline and left side, millimetres."""
 
-EYE = (30.8, 728.4, 124.5)
-"""Centre of the left eyeball in the base shape, millimetres."""
+EYE = (31.2, 730.1, 122.0)
+CROWN = (0.0, 843.7, 68.5)
+NAPE = (0.0, 762.6, -33.8)
+"""Centre of the left eyeball, highest and hindmost bone of the measured head."""
 
-LOOSENESS = 10.0
-"""Smoothing of the thin-plate spline: a landmark may be missed by a millimetre or two, the map must not fold."""
-
-CORRECTIONS = 20
-"""Fixed-point steps of the inverse; each leaves a fifth of the error or less, as heads are of like size."""
+LOOSENESS = 20.0
+"""Smoothing of the thin-plate spline: a landmark may be missed by a millimetre, the map must not fold."""
 
 
 class Frame:
-    """A smooth map from a head to the measured one: a thin-plate spline through landmarks and eyes.
+    """A smooth map from the measured head to another: a thin-plate spline through the bone under the landmarks."""
 
-    Parameters
-    ----------
-    skin, landmarks, eyes : the head, as in `facemodel.face.Face`
-    """
-
-    def __init__(self, skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) -> None:
+    def __init__(self, bone: BoneEnvelope, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) -> None:
         here, there = [], []
-        for name in BONY:
-            if name in MIDLINE:
-                here.append(skin.positions[landmarks[name]])
-                there.append(MIDLINE[name])
-                continue
-            for side, sign in (("L", 1.0), ("R", -1.0)):
-                here.append(skin.positions[landmarks[f"{name}_{side}"]])
-                there.append((sign * PAIRED[name][0], *PAIRED[name][1:]))
+        for name, place in BONE.items():
+            sides = (("", 1.0),) if name in MIDLINE else (("_L", 1.0), ("_R", -1.0))
+            for suffix, sign in sides:
+                here.append(bone.anchors[landmarks[name + suffix]])
+                there.append((sign * place[0], *place[1:]))
         for eye in eyes:
             here.append(eye.centre)
             there.append((EYE[0] if eye.side == "L" else -EYE[0], *EYE[1:]))
-        self._to = RBFInterpolator(here, there, smoothing=LOOSENESS, kernel="linear", degree=1)
-        self._from = RBFInterpolator(there, here, smoothing=LOOSENESS, kernel="linear", degree=1)
-
-    def measured(self, points: FloatArray) -> FloatArray:
-        """Points (n, 3) of this head in the coordinates of the measured one."""
-        return np.asarray(self._to(points))
+        p = bone.inner.positions
+        here += [p[p[:, 1].argmax()], p[p[:, 2].argmin()]]
+        there += [CROWN, NAPE]
+        self._map = RBFInterpolator(there, here, smoothing=LOOSENESS, kernel="thin_plate_spline", degree=1)
 
     def here(self, points: FloatArray) -> FloatArray:
-        """Points (n, 3) of the measured head in this one: the inverse of `measured`."""
-        found = np.asarray(self._from(points))
-        for _ in range(CORRECTIONS):
-            found = found + points - self.measured(found)
-        return found
+        """Where points (n, 3) of the measured head lie in this one."""
+        return np.asarray(self._map(points))

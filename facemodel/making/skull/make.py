@@ -2,21 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 import igl
 import numpy as np
 
 from facemodel.face import Eye, Jaw, Skull
+from facemodel.making.skull.cranium import cranium_field
 from facemodel.making.skull.depth import BoneEnvelope
 from facemodel.making.skull.frame import Frame
+from facemodel.making.skull.mandible import mandible_field
 from facemodel.making.skull.share import jaw_share
-from facemodel.making.skull.surface import grid, meshed
+from facemodel.making.skull.surface import Grid, meshed
 from facemodel.mesh import Mesh
 from fem.types import FloatArray
 
+Shape = Callable[[FloatArray, FloatArray], FloatArray]
+
 CONDYLE = np.array([50.0, 707.0, 75.0])
 """Centre of the left condyle on the measured head: 13 mm before the tragus, 100 mm from the right one."""
+
+
+@dataclass(frozen=True)
+class Block:
+    """The box of the measured head that holds a bone, how finely it is sampled, and the triangles it may cost."""
+
+    low: tuple[float, float, float]
+    high: tuple[float, float, float]
+    step: float
+    triangles: int
+
+
+CRANIUM = Block((-74, 665, -42), (74, 852, 160), 1.5, 9000)
+MANDIBLE = Block((-64, 612, 52), (64, 718, 150), 1.2, 3000)
+
+
+def _shape(field: Shape, end: Mesh, frame: Frame, block: Block) -> Mesh:
+    """One bone: sampled on a grid of the measured head, meshed there, and carried to this head."""
+    coarse = Grid.over(block.low, block.high, 2 * block.step)
+    kind = igl.SignedDistanceType.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
+    distance, *_ = igl.signed_distance(frame.here(coarse.points()), end.positions, end.triangles, kind)
+    fine = coarse.halved()
+    bone = meshed(fine, field(fine.points(), coarse.refined(distance)), block.triangles)
+    return bone.moved(frame.here(bone.positions))
 
 
 def jaw_hinge(skin: Mesh, landmarks: Mapping[str, int], anchors: FloatArray, frame: Frame) -> Jaw:
@@ -36,20 +65,13 @@ def make_skull(skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) 
     landmarks : its vertices by name, see `facemodel.making.landmarks`
     eyes : left and right eyeball
     """
-    frame = Frame(skin, landmarks, eyes)
     bone = BoneEnvelope(skin, landmarks, eyes)
-    points, size = grid(bone.inner.positions.min(axis=0) - 4, bone.inner.positions.max(axis=0) + 4, 2.5)
-    kind = igl.SignedDistanceType.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
-    envelope = igl.signed_distance(points, bone.inner.positions, bone.inner.triangles, kind)[0]
-    q = frame.measured(points)
-    low = (62 - q[:, 2]) * 0.46 - (q[:, 1] - 705) * 0.88
-    cranium = np.maximum(envelope, np.maximum(low + 2, 672 - q[:, 1]))
-    floor = 640 - q[:, 1] - 0.5 * (q[:, 2] - 90)
-    mandible = np.maximum(envelope, np.maximum(2 - low, np.maximum(66 - q[:, 2], floor)))
+    frame = Frame(bone, landmarks, eyes)
+    end = Mesh(*igl.loop(bone.inner.positions, bone.inner.triangles, 1))
     return Skull(
-        meshed(cranium, points, size, 8000),
-        meshed(mandible, points, size, 2500),
+        _shape(cranium_field, end, frame, CRANIUM),
+        _shape(mandible_field, end, frame, MANDIBLE),
         bone.anchors,
-        jaw_share(skin, landmarks, frame),
+        jaw_share(skin, landmarks),
         jaw_hinge(skin, landmarks, bone.anchors, frame),
     )

@@ -9,16 +9,15 @@ import numpy as np
 from scipy.sparse import csc_array, diags_array
 from scipy.sparse.linalg import splu
 
-from facemodel.making.landmarks import PAIRED
-from facemodel.making.skull.frame import Frame
+from facemodel.making.skull.envelope import face_size
 from facemodel.mesh import Mesh
 from fem.types import FloatArray, IntArray
 
 BAND = 22.0
 """Millimetres over which the cheek passes from the cranium to the mandible."""
 
-BEHIND = 55.0, 0.2
-"""The hind border of the ramus on the measured head: its z at the height of the ear, and how z grows downwards."""
+BEHIND = 15.0, 0.2
+"""The hind border of the ramus: how far behind the tragus (millimetres), and how it runs forward going down."""
 
 NEAR_BORDER, FADE = 10.0, 34.0
 """Below the lower border the skin follows the jaw this far, and lets go of it over this length (millimetres)."""
@@ -52,17 +51,19 @@ def _neck_hold(skin: Mesh, border: FloatArray) -> FloatArray:
     return 1 - smooth_step((gap - NEAR_BORDER) / FADE)
 
 
-def jaw_share(skin: Mesh, landmarks: Mapping[str, int], frame: Frame) -> FloatArray:
+def jaw_share(skin: Mesh, landmarks: Mapping[str, int]) -> FloatArray:
     """Share (N,) of the mandible in what each skin vertex hangs on: 1 on chin and lower lip, 0 on the midface.
 
     The share is harmonic on the graph of the skin across the band of the cheek between the two, so that it jumps
     at the slit of the mouth and nowhere else, and its ends are levelled.
     """
-    q = frame.measured(skin.positions)
-    corner, ear = np.array(PAIRED["mouth_corner"])[1:], np.array(PAIRED["tragus"])[1:]
-    along = (corner - ear) / np.linalg.norm(corner - ear)
-    below = (q[:, 2] - ear[1]) * along[0] - (q[:, 1] - ear[0]) * along[1]
-    hind = q[:, 2] - BEHIND[0] - BEHIND[1] * (ear[0] - q[:, 1])
+    p = skin.positions
+    ears = p[[landmarks["tragus_L"], landmarks["tragus_R"]]]
+    corners = p[[landmarks["mouth_corner_L"], landmarks["mouth_corner_R"]]]
+    ear = ears.mean(axis=0)
+    normal = np.cross(ears[0] - ears[1], corners.mean(axis=0) - ear)
+    below = (p - ear) @ normal / np.linalg.norm(normal)
+    hind = p[:, 2] - ear[2] + BEHIND[0] * face_size(skin, landmarks) - BEHIND[1] * (ear[1] - p[:, 1])
     territory = np.minimum(below, hind)
     fixed = np.abs(territory) > BAND / 2
     value = (territory > 0).astype(np.float64)
