@@ -52,7 +52,8 @@ class Basis:
     def moving_field(self, name: str) -> Float32Array:
         """One field on the moving skin points (S, 3), a view; millimetres."""
         row = self.fields[self.index[name]]
-        return row[len(row) - 3 * self.display.moving :].reshape(-1, 3)
+        start = len(row) - 3 * self.display.moving
+        return np.asarray(row[start:].reshape(-1, 3))
 
     def carried_field(self, name: str, part: str) -> Float32Array:
         """One field on the points (n, 3) of a part that the skin carries, a view; millimetres."""

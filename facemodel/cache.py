@@ -7,6 +7,7 @@ import os
 import tempfile
 import zipfile
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
@@ -69,12 +70,14 @@ def cached_solution(project: Project) -> Solution | None:
     try:
         with np.load(path, allow_pickle=False) as arrays:
             solution = _solution_of({name: arrays[name] for name in arrays.files})
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         return None
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
-        path.unlink(missing_ok=True)
+        with suppress(OSError):  # a folder that may only be read costs time, not work
+            path.unlink(missing_ok=True)
         return None
-    os.utime(path)
+    with suppress(OSError):
+        os.utime(path)
     return solution
 
 
@@ -86,7 +89,7 @@ def keep_solution(project: Project, solution: Solution) -> bool:
         descriptor, name = tempfile.mkstemp(suffix=".part", dir=folder)
         try:
             with os.fdopen(descriptor, "wb") as stream:
-                np.savez(stream, **_arrays_of(solution))
+                np.savez(stream, allow_pickle=False, **_arrays_of(solution))
             os.replace(name, folder / f"{solution_key(project)}.npz")
         except BaseException:
             Path(name).unlink(missing_ok=True)

@@ -8,6 +8,7 @@ from functools import cached_property
 import igl
 import numpy as np
 from scipy.sparse import coo_array, csr_array
+from scipy.spatial import KDTree
 
 from fem.types import FloatArray, IntArray
 
@@ -38,13 +39,15 @@ class Mesh:
         for k in range(3):
             np.add.at(total, self.triangles[:, k], self.triangle_normals)
         length = np.linalg.norm(total, axis=1, keepdims=True)
-        return np.divide(total, length, out=np.zeros_like(total), where=length > 0)
+        normals: FloatArray = np.divide(total, length, out=np.zeros_like(total), where=length > 0)
+        return normals
 
     @cached_property
     def vertex_areas(self) -> FloatArray:
         """A third of the area of the triangles around each vertex (N,), square millimetres."""
         area = np.linalg.norm(self.triangle_normals, axis=1) / 6
-        return np.bincount(self.triangles.ravel(), np.repeat(area, 3), len(self.positions))
+        around = np.bincount(self.triangles.ravel(), np.repeat(area, 3), len(self.positions))
+        return around.astype(np.float64)
 
     @cached_property
     def edges(self) -> IntArray:
@@ -59,6 +62,11 @@ class Mesh:
         i, j = self.edges.T
         half = coo_array((np.ones(len(i)), (i, j)), shape=(n, n))
         return csr_array(half + half.T)
+
+    @cached_property
+    def tree(self) -> KDTree:
+        """Search tree over the positions."""
+        return KDTree(self.positions)
 
     @cached_property
     def boundary_loops(self) -> tuple[IntArray, ...]:

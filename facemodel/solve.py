@@ -85,40 +85,60 @@ class FaceSystem:
     loads: FloatArray
 
 
+class Clock:
+    """Seconds between laps."""
+
+    def __init__(self) -> None:
+        self.laps: dict[str, float] = {}
+        self._last = time.perf_counter()
+
+    def lap(self, name: str) -> None:
+        """Note the seconds since the last lap under a name."""
+        now = time.perf_counter()
+        self.laps[name] = now - self._last
+        self._last = now
+
+
 def silent(_text: str, _share: float) -> None:
     """Progress that nobody watches."""
 
 
-def face_system(project: Project) -> FaceSystem:
+def face_system(project: Project, clock: Clock | None = None) -> FaceSystem:
     """Assemble stiffness, tissue, supports and the loads of all action units.
+
+    Parameters
+    ----------
+    project : whose face is assembled
+    clock : takes the time of each step
 
     Raises
     ------
     FaceError
         If the supports and springs leave part of the face loose.
     """
-    face = project.face
+    clock = clock or Clock()
+    face, layers = project.face, project.face.layers
     head = head_surface(face, ELEMENTS[project.settings.element])
     region = solved_region(face, head)
     assembler, vertices = region.assembler, region.vertices
-    layers = face.layers
+    clock.lap("surface")
     material = Material(layers.direction[vertices], layers.stretching[vertices], layers.bending[vertices])
     stiffness = assembler.assemble(element_tensors(assembler.surface, material)).matrix
     springs, anchors, jawbone = tissue_springs(face, vertices)
-    foundation = Foundation(springs.blocks(len(vertices)))
+    coupling = Foundation(springs.blocks(len(vertices))).coupling(assembler)
     try:
-        system = SurfaceSystem(assembler.dofs, stiffness, supports(face, region), foundation.coupling(assembler))
+        system = SurfaceSystem(assembler.dofs, stiffness, supports(face, region), coupling)
     except SingularSystemError as error:
         raise loose_face(error, vertices) from error
-
+    clock.lap("assembly")
     names, forces = field_forces(project.units, project.muscles, face.skin)
     on_region = forces[:, vertices]
-    jaw_of = {name: unit for unit in project.units for name in unit.fields if unit.jaw}
-    for row, name in enumerate(names):
-        if name in jaw_of:
-            on_region[row] += jaw_forces(face, jaw_of[name], springs, anchors, jawbone)
+    for unit in project.units:
+        for name in unit.fields if unit.jaw else ():
+            on_region[names.index(name)] += jaw_forces(face, unit, springs, anchors, jawbone)
     flat = on_region.transpose(1, 2, 0).reshape(len(vertices), -1)
     loads = np.asarray(load_operator(assembler) @ flat).reshape(-1, 3, len(names))
+    clock.lap("loads")
     return FaceSystem(head, region, system, names, loads)
 
 
@@ -154,10 +174,9 @@ def solve_project(project: Project, progress: Progress = silent) -> Solution:
     Cancelled
         If the progress callback raised it.
     """
-    clock = _Clock()
+    clock = Clock()
     progress("Assembling the skin", 0.02)
-    assembled = face_system(project)
-    clock.lap("assembly")
+    assembled = face_system(project, clock)
     progress("Factorising the stiffness", 0.10)
     try:
         assembled.system.factorise()
@@ -219,16 +238,3 @@ def _planes(slopes: FloatArray, count: int) -> Float32Array:
     return np.ascontiguousarray(slopes.reshape(len(slopes), 3, count).transpose(2, 1, 0), dtype=np.float32).reshape(
         count, -1
     )
-
-
-class _Clock:
-    """Seconds between laps."""
-
-    def __init__(self) -> None:
-        self.laps: dict[str, float] = {}
-        self._last = time.perf_counter()
-
-    def lap(self, name: str) -> None:
-        now = time.perf_counter()
-        self.laps[name] = now - self._last
-        self._last = now

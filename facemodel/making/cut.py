@@ -52,27 +52,27 @@ class Cut:
     def positions(self, base: FloatArray) -> FloatArray:
         """Skin positions (N, 3) for base positions or displacements (V, 3)."""
         a, b = self.ends.T
-        return base[a] * (1 - self.along[:, None]) + base[b] * self.along[:, None]
+        return np.asarray(base[a] * (1 - self.along[:, None]) + base[b] * self.along[:, None])
 
 
 def uv_islands(quads: IntArray) -> IntArray:
     """Label the quads (Q, 4, 2) by UV island (Q,): joined where they share an edge in both index sets."""
     corner = np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2, 2)
     order = np.argsort(corner[:, :, 0], axis=1)[:, :, None]
-    corner = np.take_along_axis(corner, np.broadcast_to(order, corner.shape), axis=1).reshape(-1, 4)
-    _, edge = np.unique(corner, axis=0, return_inverse=True)
+    ends = np.take_along_axis(corner, np.broadcast_to(order, corner.shape), axis=1).reshape(-1, 4)
+    _, edge = np.unique(ends, axis=0, return_inverse=True)
     face = np.repeat(np.arange(len(quads)), 4)
     sort = np.argsort(edge, kind="stable")
     same = edge[sort][1:] == edge[sort][:-1]
     i, j = face[sort][1:][same], face[sort][:-1][same]
     graph = coo_array((np.ones(len(i)), (i, j)), shape=(len(quads), len(quads)))
-    return connected_components(graph, directed=False)[1]
+    return np.asarray(connected_components(graph, directed=False)[1])
 
 
 def island_of(quads: IntArray, labels: IntArray, vertex: int) -> IntArray:
     """Quads of the smallest island that holds a vertex."""
     candidates = np.unique(labels[(quads[:, :, 0] == vertex).any(axis=1)])
-    return quads[labels == min(candidates, key=lambda k: int((labels == k).sum()))]
+    return np.asarray(quads[labels == min(candidates, key=lambda k: int((labels == k).sum()))])
 
 
 def triangulate(quads: IntArray, positions: FloatArray, mirror: IntArray) -> IntArray:

@@ -92,9 +92,30 @@ def pocket(base: BaseMesh, shape: FloatArray, cut: Cut, seed: int, name: str, ki
     mesh = Mesh(shape[used], triangles)
     skin_of = {int(a): k for k, (a, _) in enumerate(cut.ends)}
     rim = np.array([k for k, v in enumerate(used) if int(v) in skin_of])
+    if kind == "lining":
+        mesh = mesh.moved(_withdrawn(mesh.positions, mesh.positions[rim]))
     shares = _harmonic_shares(mesh, rim)
     anchors = np.broadcast_to(np.array([skin_of[int(used[k])] for k in rim]), shares.shape).copy()
     return Part(name, kind, "skin", mesh, anchors, shares)
+
+
+def _withdrawn(points: FloatArray, rim: FloatArray) -> FloatArray:
+    """Points (n, 3) of the mouth's pocket drawn in behind its rim.
+
+    Its walls run a millimetre under the skin of cheeks and chin, and would come through when the lips move; what
+    shows of them is the dark behind the teeth.
+    """
+    away = np.linalg.norm(points[:, None] - rim[None], axis=2).min(axis=1)
+    t = np.clip((away - WITHDRAW_FROM) / (WITHDRAW_TO - WITHDRAW_FROM), 0, 1)
+    share = (t * t * (3 - 2 * t))[:, None]
+    inward = (rim.mean(axis=0) - points) * WITHDRAW_SHRINK - [0.0, 0.0, WITHDRAW_BACK]
+    return np.asarray(points + share * inward)
+
+
+WITHDRAW_FROM, WITHDRAW_TO = 2.0, 12.0
+WITHDRAW_SHRINK = np.array([0.35, 0.35, 0.0])
+WITHDRAW_BACK = 8.0
+"""Millimetres from the rim between which the lining is drawn in, the share by which it narrows, and how far back."""
 
 
 def lashes(base: BaseMesh, shape: FloatArray, skin: FloatArray, loop: IntArray, side: str) -> Part:

@@ -35,13 +35,13 @@ def eye_rings(place: Placement, eye: Eye) -> list[Muscle]:
     along = np.abs((outer - inner) / 2) * [1, 0, 0]
     up = _upright(along)
     fissure = (top + bottom) / 2
-    orbital = Sphincter((inner + outer) / 2 - 2 * scale * up, 2.0 * along, 24 * scale * up, focus=0.35)
+    orbital = Sphincter((inner + outer) / 2 - 4 * scale * up, 2.1 * along, 27 * scale * up, -up, focus=0.5)
     palpebral = Sphincter(fissure, 1.25 * along, 9 * scale * up, focus=0.8)
     pivot = eye.centre + ((fissure - eye.centre) @ up) * up
     lid = Sphincter(pivot, 1.12 * along, 13 * scale * up)
     names = ("Orbicularis oculi, pars orbitalis", "Orbicularis oculi, pars palpebralis")
     return [
-        _ring("orbicularis_oculi_orbitalis", side, names[0], "eye", orbital, 14 * scale, "sphincter"),
+        _ring("orbicularis_oculi_orbitalis", side, names[0], "eye", orbital, 17 * scale, "sphincter"),
         _ring("orbicularis_oculi_palpebralis", side, names[1], "eye", palpebral, 8 * scale, "sphincter"),
         _ring("levator_palpebrae", side, "Levator palpebrae superioris", "eye", lid, 8 * scale, "lid"),
     ]

@@ -81,7 +81,6 @@ def _near(x: FloatArray, origins: FloatArray, attachments: FloatArray, width: fl
 
 def _normals_across(skin: Mesh, attachments: FloatArray, m: FloatArray) -> FloatArray:
     """Normals (f, 3) of the skin at the attachments, made perpendicular to the fibres."""
-    at = np.linalg.norm(skin.positions[:, None] - attachments[None], axis=2).argmin(axis=0)
-    n = skin.normals[at]
+    n = skin.normals[skin.tree.query(attachments)[1]]
     n = n - np.einsum("fc,fc->f", n, m)[:, None] * m
     return np.asarray(n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), SHORTEST))
