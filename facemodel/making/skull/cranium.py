@@ -20,8 +20,8 @@ from facemodel.making.skull.fields import (
 from fem.types import FloatArray
 
 ARCH = [
-    (54, 719), (66, 717), (78, 714.5), (90, 713.5), (100, 713.5), (112, 714),
-    (116, 700), (112, 691), (106, 694.5), (100, 698.5), (90, 701.5), (78, 704), (66, 705.5), (54, 706),
+    (62, 719), (70, 716.5), (78, 714.5), (90, 713.5), (100, 713.5), (112, 714),
+    (116, 700), (112, 691), (106, 694.5), (100, 698.5), (90, 701.5), (78, 704), (70, 705), (64, 707),
 ]  # fmt: skip
 """Zygomatic arch and bone seen from the side, (z, y)."""
 
@@ -31,7 +31,7 @@ FOSSA = [
 ]  # fmt: skip
 """Temporal and infratemporal fossa seen from the side, (z, y)."""
 
-NOSTRIL = [(0, 709.5), (3.5, 708), (5.5, 703), (8.5, 695), (11, 687), (11.2, 682.5), (8, 679), (3, 678), (0, 679.5)]
+NOSTRIL = [(0, 706.5), (4, 705.5), (6, 702), (8.8, 695), (11, 687), (11.2, 682.5), (8, 679), (3, 678), (0, 679.5)]
 """Half of the piriform aperture seen from the front, (x, y)."""
 
 ARCH_THICKNESS = 6.0
@@ -44,19 +44,18 @@ def braincase(p: FloatArray, bone: FloatArray) -> FloatArray:
     level = ((np.abs(x) / 68) ** 2.6 + np.abs(down) ** 2.6 + np.abs(back) ** 2.6) ** (1 / 2.6)
     case = smooth_max(bone, (level - 1) * 56, 6)
     petrous = ellipsoid(p, (53, 708, 58), (9, 12, 15))
-    mastoid = rod(p, [(54, 706, 47), (51.5, 694, 46), (49, 681, 48)], [10, 8.5, 4.5])
+    mastoid = rod(p, [(55, 709, 46), (53, 696, 45), (50, 681, 48)], [13, 10.5, 6])
     lobe = ellipsoid(p, (20, 706, 6), (24, 15, 24))
     condyle = ellipsoid(p, (12, 690, 44), (6, 6, 10))
     for part in (petrous, mastoid, lobe, condyle):
         case = smooth_min(case, part, 5)
     foramen = ellipsoid(p, (0, 686, 28), (14, 14, 17))
-    canal = rod(p, [(70, 706, 61), (48, 704, 63)], [3.6, 3.0])
-    return smooth_max(carved(carved(case, foramen, 3), canal, 1.5), bone, 1)
+    return carved(case, foramen, 3)
 
 
 def face_block(p: FloatArray, bone: FloatArray) -> FloatArray:
     """Forehead and midface in front of the braincase, down to the sockets of the teeth."""
-    x, y, z = p.T
+    _, y, z = p.T
     margin = along(z, [(148, 671), (136, 672.5), (120, 675.5), (97, 680.5), (80, 684)])
     block = smooth_max(np.maximum(88 - z, margin - y), bone, 1)
     palate = ellipsoid(p, (0, 672, 116), (21, 15, 26))
@@ -95,7 +94,8 @@ def fossa(p: FloatArray) -> FloatArray:
     x, y, z = p.T
     wall = along(y, [(676, 25), (690, 27), (702, 34), (712, 42), (722, 46.5), (732, 48.5), (745, 53)])
     wall = wall + along(z, [(78, 3), (90, 1), (100, -1), (112, -2)])
-    return smooth_max(outline(z, y, FOSSA), wall - x, 7)
+    ramp = along(z, [(78, 0.7), (94, 0.8), (106, 2.5)])
+    return (wall + ramp * np.maximum(outline(z, y, FOSSA) + 5, 0) - x) / np.sqrt(1 + ramp**2)
 
 
 def cranium_field(p: FloatArray, bone: FloatArray) -> FloatArray:
@@ -118,4 +118,6 @@ def cranium_field(p: FloatArray, bone: FloatArray) -> FloatArray:
     skull = carved(carved(skull, joint, 2.5), orbit(p), 2.5)
     spine = smooth_max(rod(p, [(0, 680, 138), (0, 679, 148.5)], [3, 1.2]), bone, 1)
     skull = smooth_min(carved(skull, nose(p), 1.5), spine, 1.5)
-    return carved(skull, ellipsoid(p, (28.5, 703.5, 137), (2.6, 2.6, 5)), 1)
+    canal = rod(p, [(75, 706, 61.5), (52, 704.5, 62.5)], [3.4, 3.0])
+    outlet = ellipsoid(p, (28.5, 703.5, 137), (2.6, 2.6, 5))
+    return carved(carved(np.maximum(skull, bone), canal, 1.5), outlet, 1)

@@ -15,6 +15,7 @@ from facemodel.making.skull.frame import Frame
 from facemodel.making.skull.mandible import mandible_field
 from facemodel.making.skull.share import jaw_share
 from facemodel.making.skull.surface import Grid, meshed
+from facemodel.making.skull.teeth import LOWER, UPPER, tooth_row
 from facemodel.mesh import Mesh
 from fem.types import FloatArray
 
@@ -34,8 +35,8 @@ class Block:
     triangles: int
 
 
-CRANIUM = Block((-74, 665, -42), (74, 852, 160), 1.5, 9000)
-MANDIBLE = Block((-64, 612, 52), (64, 718, 150), 1.2, 3000)
+CRANIUM = Block((-74, 665, -42), (74, 852, 160), 1.5, 8000)
+MANDIBLE = Block((-64, 612, 52), (64, 718, 150), 1.2, 2400)
 
 
 def _shape(field: Shape, end: Mesh, frame: Frame, block: Block) -> Mesh:
@@ -46,6 +47,14 @@ def _shape(field: Shape, end: Mesh, frame: Frame, block: Block) -> Mesh:
     fine = coarse.halved()
     bone = meshed(fine, field(fine.points(), coarse.refined(distance)), block.triangles)
     return bone.moved(frame.here(bone.positions))
+
+
+def _joined(a: Mesh, b: Mesh) -> Mesh:
+    """Two closed meshes as one."""
+    return Mesh(
+        np.concatenate([a.positions, b.positions]),
+        np.concatenate([a.triangles, b.triangles + len(a.positions)]),
+    )
 
 
 def jaw_hinge(skin: Mesh, landmarks: Mapping[str, int], anchors: FloatArray, frame: Frame) -> Jaw:
@@ -68,9 +77,10 @@ def make_skull(skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) 
     bone = BoneEnvelope(skin, landmarks, eyes)
     frame = Frame(bone, landmarks, eyes)
     end = Mesh(*igl.loop(bone.inner.positions, bone.inner.triangles, 1))
+    upper, lower = tooth_row(UPPER), tooth_row(LOWER)
     return Skull(
-        _shape(cranium_field, end, frame, CRANIUM),
-        _shape(mandible_field, end, frame, MANDIBLE),
+        _joined(_shape(cranium_field, end, frame, CRANIUM), upper.moved(frame.here(upper.positions))),
+        _joined(_shape(mandible_field, end, frame, MANDIBLE), lower.moved(frame.here(lower.positions))),
         bone.anchors,
         jaw_share(skin, landmarks),
         jaw_hinge(skin, landmarks, bone.anchors, frame),
