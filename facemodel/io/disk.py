@@ -54,12 +54,11 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
     ProjectError
         If the folder is missing or not writable, the name belongs to a folder or device, or the disk is full.
     """
+    target = checked_target(path)
+    fresh = target.with_name(f".risorius-{secrets.token_hex(8)}.tmp")
     try:
-        target = Path(os.path.realpath(path))
-        _check_target(path, target)
-        fresh = target.with_name(f".risorius-{secrets.token_hex(8)}.tmp")
         stream = open(fresh, "xb")  # noqa: SIM115 - closed below, before it takes the name
-    except (OSError, ValueError) as error:
+    except OSError as error:
         raise ProjectError(disk_sentence(path, "saved", error)) from error
     try:
         with stream:
@@ -78,22 +77,35 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
     _sync_folder(target.parent)
 
 
-def _check_target(path: Path, target: Path) -> None:
-    if not target.parent.is_dir():
-        raise ProjectError(
-            f"“{path}” cannot be saved: there is no folder “{target.parent}”; create it or choose another."
-        )
-    if target.is_symlink():
-        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
-    if not target.exists():
-        return
-    status = target.stat()
-    if not stat.S_ISREG(status.st_mode):
+def checked_target(path: Path) -> Path:
+    """The file that is meant by a path, links followed, if a file can be written there as far as can be known.
+
+    Raises
+    ------
+    ProjectError
+        If the folder is missing, or the name belongs to a folder, a device or a write-protected file.
+    """
+    try:
+        target = Path(os.path.realpath(path))
+        if target.is_symlink():
+            raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
+        if not target.parent.is_dir():
+            raise ProjectError(
+                f"“{path}” cannot be saved: there is no folder “{target.parent}”; create it or choose another."
+            )
+        status = target.stat() if target.exists() else None
+        writable = os.access(target if status else target.parent, os.W_OK)
+    except (OSError, ValueError) as error:
+        raise ProjectError(disk_sentence(path, "saved", error)) from error
+    if status is not None and not stat.S_ISREG(status.st_mode):
         raise ProjectError(f"“{path}” cannot be saved: it is {_kind(status)}; choose another name.")
-    if not os.access(target, os.W_OK):
+    if status is not None and not writable:
         raise ProjectError(
             f"“{path}” cannot be saved: the file is write-protected; choose another name or allow writing."
         )
+    if not writable:
+        raise ProjectError(disk_sentence(path, "saved", OSError(errno.EACCES, os.strerror(errno.EACCES))))
+    return target
 
 
 def _kind(status: os.stat_result) -> str:

@@ -64,8 +64,8 @@ def small_face() -> Face:
         chart=skin.positions[:, :2].copy(),
         landmarks={"pronasale": 12, "exocanthion left": 8},
         eyes=(
-            Eye("L", np.array([30.0, 20.0, 0.0]), 12.0),
-            Eye("R", np.array([-30.0, 20.0, 0.0]), 12.0),
+            Eye("L", np.array([30.0, 20.0, -40.0]), 12.0),
+            Eye("R", np.array([-30.0, 20.0, -40.0]), 12.0),
         ),
         parts=parts,
         skull=Skull(

@@ -1,7 +1,8 @@
 """Binary glTF 2.0: the face at rest with one morph target per action unit, in metres.
 
 All meshes that move have the same list of targets, so that one array of weights drives skin, lashes, lower teeth and
-tongue.  The turn of the jaw is linear in its weight here: the targets end where the turn ends.
+tongue.  The turn of the jaw and the glide of the lids on the eyeballs are linear in their weights here: each target
+ends where the motion ends at activation 1.
 """
 
 from __future__ import annotations

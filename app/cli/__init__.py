@@ -1,0 +1,8 @@
+"""The command line: ``risorius new, solve, info, render, export, gallery, edit``."""
+
+from __future__ import annotations
+
+from app.cli.main import main
+from app.cli.screen import Screen
+
+__all__ = ["Screen", "main"]

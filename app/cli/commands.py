@@ -1,0 +1,114 @@
+"""What each command does."""
+
+from __future__ import annotations
+
+import json
+import sys
+from argparse import Namespace
+from pathlib import Path
+
+from app.cli.expression import asked_expression
+from app.cli.figures import figures, figures_text
+from app.cli.progress import ProgressLine
+from app.cli.screen import Screen
+from facemodel.cache import cache_folder, cached_solution, keep_solution, solve_cached
+from facemodel.errors import ProjectError
+from facemodel.faces import DEFAULT_FACE
+from facemodel.io.disk import checked_target
+from facemodel.io.export import export_of, export_project
+from facemodel.io.project_file import load_project, save_project
+from facemodel.project import Project
+from facemodel.projects import new_project
+from facemodel.solve import Solution, solve_project
+
+
+def new(asked: Namespace) -> int:
+    """Begin a project."""
+    out: Path = asked.out
+    project = new_project(asked.face or DEFAULT_FACE)
+    if checked_target(out).exists() and not asked.replace:
+        raise ProjectError(f"“{out}” exists already; choose another name, or add --replace to write over it.")
+    save_project(project, out)
+    print(f"Wrote {out} with the face {project.face.title}")
+    return 0
+
+
+def solve(asked: Namespace) -> int:
+    """Solve all fields and keep them."""
+    project = load_project(asked.project)
+    kept = cached_solution(project)
+    if kept is not None:
+        print(f"{asked.project} is solved already: {len(kept.basis.names)} fields, {kept.unknowns:,} unknowns")
+        return 0
+    line = ProgressLine(sys.stderr)
+    try:
+        solution = solve_project(project, line)
+    finally:
+        line.clear()
+    if not keep_solution(project, solution):
+        raise ProjectError(
+            f"“{asked.project}” is solved, but the solution cannot be kept in “{cache_folder()}”: "
+            "free some space there, or name another folder in the variable RISORIUS_CACHE."
+        )
+    seconds = sum(solution.seconds.values())
+    print(f"Solved {len(solution.basis.names)} fields with {solution.unknowns:,} unknowns in {seconds:.1f} s")
+    return 0
+
+
+def info(asked: Namespace) -> int:
+    """Show the figures."""
+    project = load_project(asked.project)
+    known = figures(asked.project, project, cached_solution(project))
+    print(json.dumps(known, indent=1, ensure_ascii=False) if asked.json else figures_text(known))
+    return 0
+
+
+def render(asked: Namespace, screen: Screen) -> int:
+    """Draw one picture."""
+    _check_picture(asked.out)
+    project = load_project(asked.project)
+    expression = asked_expression(project, asked.emotion, asked.au)
+    solution = _solved(project)
+    screen.render(project, solution, expression, asked.out, asked.view, asked.size, asked.show)
+    print(f"Wrote {asked.out}")
+    return 0
+
+
+def export(asked: Namespace) -> int:
+    """Write the face for other programs."""
+    export_of(asked.out)
+    checked_target(asked.out)
+    project = load_project(asked.project)
+    posed = project.posed(asked_expression(project, asked.emotion, asked.au))
+    export_project(posed, _solved(project), asked.out)
+    print(f"Wrote {asked.out}: {export_of(asked.out).holds}")
+    return 0
+
+
+def gallery(asked: Namespace, screen: Screen) -> int:
+    """Draw the sheet."""
+    _check_picture(asked.out)
+    project = load_project(asked.project)
+    screen.gallery(project, _solved(project), asked.out)
+    print(f"Wrote {asked.out}")
+    return 0
+
+
+def edit(asked: Namespace, screen: Screen) -> int:
+    """Open the editor."""
+    return screen.edit(asked.project)
+
+
+def _check_picture(out: Path) -> None:
+    """Find out before the work, not after it, that a picture cannot be written."""
+    if out.suffix.lower() != ".png":
+        raise ProjectError(f"“{out}” cannot be saved: pictures are PNG files; let the name end in .png.")
+    checked_target(out)
+
+
+def _solved(project: Project) -> Solution:
+    line = ProgressLine(sys.stderr)
+    try:
+        return solve_cached(project, line)
+    finally:
+        line.clear()

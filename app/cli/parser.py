@@ -1,0 +1,151 @@
+"""The grammar of the command line and its help."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import NoReturn
+
+from app.cli.values import OVERLAYS, overlays, size, weight
+from app.view_state import VIEW_TITLES
+from facemodel.faces import face_keys
+
+DESCRIPTION = """\
+A desktop editor for facial expression: muscles and skin solved with finite elements, mixed in real time.
+Without a command it opens the editor."""
+
+EXAMPLES = """\
+examples:
+  risorius                                       open the editor on the default face
+  risorius new smile.risorius                    begin a project
+  risorius render smile.risorius smile.png --emotion happiness=1
+  risorius export smile.risorius smile.glb       the head with morph targets"""
+
+WEIGHTS = """\
+--au takes a FACS number or name, for both sides or one: 12, 12L, AU12, “lip corner puller R”.
+Several emotions mix by the larger weight; --au then overrides what they say.
+With neither, the expression saved in the project is shown.
+"""
+
+
+class Parser(ArgumentParser):
+    """Says in one sentence what is wrong."""
+
+    def error(self, message: str) -> NoReturn:
+        """Print the sentence and end with status 2."""
+        self.exit(2, f"risorius: {message.removesuffix('.')}; see “{self.prog} --help”.\n")
+
+
+def parser(commands: Mapping[str, Callable[[Namespace], int]]) -> ArgumentParser:
+    """The parser; the namespace it returns holds the chosen one of ``commands`` as ``run``.
+
+    Parameters
+    ----------
+    commands : what to call for each command, by its name
+    """
+    whole = Parser(
+        prog="risorius", description=DESCRIPTION, epilog=EXAMPLES, formatter_class=RawDescriptionHelpFormatter
+    )
+    whole.set_defaults(run=commands["edit"], project=None)
+    sub = whole.add_subparsers(title="commands", metavar="COMMAND", parser_class=Parser)
+
+    def command(name: str, summary: str, *examples: str, more: str = "") -> ArgumentParser:
+        epilog = more + "\nexamples:\n" + "\n".join(f"  risorius {name} {example}".rstrip() for example in examples)
+        made = sub.add_parser(
+            name,
+            help=summary,
+            description=summary[0].upper() + summary[1:] + ".",
+            epilog=epilog,
+            formatter_class=RawDescriptionHelpFormatter,
+        )
+        made.set_defaults(run=commands[name])
+        return made
+
+    _new(command("new", "begin a project on one of the faces that ship", "smile.risorius", "old.risorius --face dayo"))
+    _project(command("solve", "solve all action units and keep the result for later commands", "smile.risorius"))
+    _info(command("info", "show the figures of a project", "smile.risorius", "smile.risorius --json"))
+    _render(
+        command(
+            "render",
+            "draw an expression into a PNG picture, without a window",
+            "smile.risorius smile.png --au 12=0.8 --au 1L=0.5",
+            "smile.risorius fear.png --emotion fear=1 --view three-quarter --size 1920x1080",
+            "smile.risorius muscles.png --show skull,muscles",
+            more=WEIGHTS,
+        )
+    )
+    _export(
+        command(
+            "export",
+            "write the face for other programs, in the format of the file's suffix",
+            "smile.risorius smile.glb",
+            "smile.risorius fields.npz",
+            "smile.risorius fear.obj --emotion fear=1",
+            more=FORMATS + WEIGHTS,
+        )
+    )
+    _gallery(command("gallery", "draw all action units and emotions on one sheet", "smile.risorius sheet.png"))
+    edit = command("edit", "open the editor", "", "smile.risorius")
+    edit.add_argument("project", metavar="PROJECT", nargs="?", type=Path, help="a .risorius file to open")
+    return whole
+
+
+FORMATS = """\
+formats:
+  .glb   the whole head at rest with one morph target per action unit, in metres
+  .npz   neutral (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
+  .obj   the head with the expression, in millimetres
+  .ply   the same as one coloured mesh
+
+"""
+
+
+def _project(made: ArgumentParser) -> None:
+    made.add_argument("project", metavar="PROJECT", type=Path, help="a .risorius file")
+
+
+def _new(made: ArgumentParser) -> None:
+    made.add_argument("out", metavar="OUT.risorius", type=Path, help="the file to write")
+    made.add_argument("--face", metavar="NAME", help=f"which face: {', '.join(face_keys())} (the first if not given)")
+    made.add_argument("--replace", action="store_true", help="write over a file that exists")
+
+
+def _info(made: ArgumentParser) -> None:
+    _project(made)
+    made.add_argument("--json", action="store_true", help="print the figures as JSON")
+
+
+def _expression(made: ArgumentParser) -> None:
+    made.add_argument(
+        "--au", metavar="NAME=WEIGHT", type=weight, action="append", default=[], help="an action unit; repeatable"
+    )
+    made.add_argument(
+        "--emotion", metavar="NAME=WEIGHT", type=weight, action="append", default=[], help="an emotion; repeatable"
+    )
+
+
+def _render(made: ArgumentParser) -> None:
+    _project(made)
+    made.add_argument("out", metavar="OUT.png", type=Path, help="the picture to write")
+    _expression(made)
+    made.add_argument("--view", choices=tuple(VIEW_TITLES), default="front", help="where to look from (front)")
+    made.add_argument("--size", metavar="WIDTHxHEIGHT", type=size, default=(1280, 960), help="in pixels (1280x960)")
+    made.add_argument(
+        "--show",
+        metavar="LIST",
+        type=overlays,
+        default=(),
+        help=f"what to draw with the skin, separated by commas: {', '.join(OVERLAYS)}",
+    )
+
+
+def _export(made: ArgumentParser) -> None:
+    _project(made)
+    made.add_argument("out", metavar="OUT", type=Path, help="the file to write: .glb, .npz, .obj or .ply")
+    _expression(made)
+
+
+def _gallery(made: ArgumentParser) -> None:
+    _project(made)
+    made.add_argument("out", metavar="OUT.png", type=Path, help="the picture to write")

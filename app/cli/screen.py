@@ -1,0 +1,52 @@
+"""What the command line needs from a program that can draw; it is handed in, since nothing here may know how."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from app.view_state import ViewName
+from facemodel.actions import Expression
+from facemodel.project import Project
+from facemodel.solve import Solution
+
+
+class Render(Protocol):
+    """Draws one picture into a file."""
+
+    def __call__(
+        self,
+        project: Project,
+        solution: Solution,
+        expression: Expression,
+        path: Path,
+        view: ViewName,
+        size: tuple[int, int],
+        show: Collection[str],
+    ) -> None:
+        """Draw ``expression`` seen from ``view``, ``size`` pixels wide and high, with the overlays ``show``."""
+
+
+class Gallery(Protocol):
+    """Draws the sheet of all action units and emotions into a file."""
+
+    def __call__(self, project: Project, solution: Solution, path: Path) -> None:
+        """Draw the sheet."""
+
+
+class Edit(Protocol):
+    """Opens the editor."""
+
+    def __call__(self, path: Path | None) -> int:
+        """Open a project, or the default face, and return the exit status when the window is closed."""
+
+
+@dataclass(frozen=True)
+class Screen:
+    """The commands that draw."""
+
+    render: Render
+    gallery: Gallery
+    edit: Edit

@@ -1,0 +1,46 @@
+"""Values of options as argparse reads them."""
+
+from __future__ import annotations
+
+import re
+from argparse import ArgumentTypeError
+
+SMALLEST_SIDE = 16
+LARGEST_SIDE = 8192
+"""Pixels; beyond this graphics drivers refuse."""
+
+OVERLAYS = ("skull", "muscles", "forces", "supports", "wireframe")
+"""What can be drawn with the skin, named as in `app.view_state.ViewState`."""
+
+
+def weight(text: str) -> tuple[str, float]:
+    """A name and a number from ``12=0.8``."""
+    name, equals, number = text.rpartition("=")
+    if not equals or not name.strip():
+        raise ArgumentTypeError(f"“{text}” is not a name and a weight, such as 12=0.8")
+    try:
+        return name.strip(), float(number)
+    except ValueError:
+        raise ArgumentTypeError(f"“{number}” in “{text}” is not a number; write a weight such as 12=0.8") from None
+
+
+def size(text: str) -> tuple[int, int]:
+    """Width and height in pixels from ``1280x960``."""
+    found = re.fullmatch(r"(\d{1,6})\s*[x×]\s*(\d{1,6})", text.strip(), re.IGNORECASE | re.ASCII)
+    if found is None:
+        raise ArgumentTypeError(f"“{text}” is not a width and a height in pixels, such as 1280x960")
+    width, height = int(found[1]), int(found[2])
+    if not all(SMALLEST_SIDE <= side <= LARGEST_SIDE for side in (width, height)):
+        raise ArgumentTypeError(
+            f"“{text}” is not possible; choose {SMALLEST_SIDE} to {LARGEST_SIDE} pixels for each side"
+        )
+    return width, height
+
+
+def overlays(text: str) -> tuple[str, ...]:
+    """Overlays from ``skull,muscles``."""
+    names = tuple(name.strip().lower() for name in text.split(",") if name.strip())
+    for name in names:
+        if name not in OVERLAYS:
+            raise ArgumentTypeError(f"there is nothing called “{name}” to show; choose from {', '.join(OVERLAYS)}")
+    return names
