@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +13,9 @@ from facemodel.basis import Basis
 from facemodel.display import DisplaySurface
 from facemodel.errors import FaceError, ProjectError
 from facemodel.face import Face, Jaw
-from facemodel.sampling import HeadSurface, carried_points
+from facemodel.project import Project
+from facemodel.sampling import ELEMENTS, HeadSurface, carried_points, head_surface
+from facemodel.solve import Solution
 from fem import interpolate_smoothly, sample_operators
 from fem.types import Float32Array, FloatArray
 from resources import resource
@@ -65,6 +67,9 @@ AU_FROM_SCULPTED: Mapping[str, Mapping[str, float]] = {
 
 SPLIT: Mapping[str, str] = {"1": "browInnerUp", "18": "mouthPucker"}
 """Action units with sides whose sculpted unit has none; it is split smoothly at the midline."""
+
+LEAST_OPENING = 3.0
+"""Degrees; a chin that sinks less than this means a moved lip, not a turned jaw."""
 
 SPLIT_WIDTH = 12.0
 """Millimetres to both sides of the midline over which such a unit fades."""
@@ -133,8 +138,22 @@ def _jaw_of(face: Face, fields: FloatArray) -> FloatArray:
     arm = face.skin.positions[chin] - jaw.axis.mean(axis=0)
     lowered = -np.asarray(fields, dtype=np.float64)[:, chin, 1]
     degrees = np.degrees(lowered / np.hypot(arm[1], arm[2]))
-    degrees[degrees < 1.0] = 0.0
+    degrees[degrees < LEAST_OPENING] = 0.0
     return np.stack([degrees, np.zeros_like(degrees)], axis=1)
+
+
+def sculpted_solution(project: Project, solution: Solution) -> Solution:
+    """A solved project with the hand-made basis in place of the solved one, driven by the same sliders.
+
+    Raises
+    ------
+    FaceError, ProjectError
+        If no sculpted units ship for this face, or they are damaged.
+    """
+    face = project.face
+    names, fields = sculpted_for_units(face, read_sculpted(face), project.units)
+    head = head_surface(face, ELEMENTS[project.settings.element])
+    return replace(solution, basis=sculpted_basis(face, head, solution.basis.display, names, fields))
 
 
 def sculpted_for_units(
