@@ -1,0 +1,167 @@
+"""Where one looks from: named views with a long portrait lens that frame the head whatever the window's shape."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+
+from facemodel.face import Face
+from fem.types import FloatArray
+
+LENS = 22.0
+"""Vertical field in degrees: a long lens, as portraits are taken with."""
+MARGIN = 1.10
+"""The picture's height over that of the head."""
+UP = np.array([0.0, 1.0, 0.0])
+POLE = 88.0
+"""Degrees above or below the horizon at which the orbit stops, so that the head never rolls."""
+
+DIRECTIONS: Mapping[str, tuple[float, float]] = {
+    "front": (0.0, 0.0),
+    "left": (90.0, 0.0),
+    "right": (-90.0, 0.0),
+    "three-quarter": (35.0, 4.0),
+    "top": (0.0, POLE),
+}
+"""Azimuth (towards the subject's left) and elevation in degrees from which each view looks."""
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """What a view has to hold.
+
+    Attributes
+    ----------
+    centre : (3,) the point it turns about
+    half : (3,) half of the extent in x, y, z
+    """
+
+    centre: FloatArray
+    half: FloatArray
+
+
+def head_frame(face: Face) -> Frame:
+    """The whole head of a face."""
+    low, high = face.skin.positions.min(axis=0), face.skin.positions.max(axis=0)
+    return Frame((low + high) / 2, (high - low) / 2)
+
+
+def direction(azimuth: float, elevation: float) -> FloatArray:
+    """Unit vector from the head to the camera."""
+    a, e = np.radians([azimuth, elevation])
+    return np.array([np.sin(a) * np.cos(e), np.sin(e), np.cos(a) * np.cos(e)])
+
+
+def look_from(camera: vtkCamera, frame: Frame, view: str, aspect: float) -> None:
+    """Set the camera to a named view of a frame.
+
+    Parameters
+    ----------
+    camera : the camera to set
+    frame : what is to be seen
+    view : one of `DIRECTIONS`
+    aspect : width of the picture over its height
+
+    Raises
+    ------
+    KeyError
+        if there is no such view
+    """
+    look_along(camera, frame, *DIRECTIONS[view], aspect)
+
+
+def look_along(camera: vtkCamera, frame: Frame, azimuth: float, elevation: float, aspect: float) -> None:
+    """Set the camera to a direction and as near as the frame allows."""
+    towards = direction(azimuth, elevation)
+    right = np.cross(UP, towards)
+    right /= np.linalg.norm(right)
+    up = np.cross(towards, right)
+    tall, wide = np.abs(up) @ frame.half, np.abs(right) @ frame.half
+    extent = MARGIN * max(tall, wide / aspect)
+    camera.SetViewAngle(LENS)
+    camera.SetFocalPoint(*frame.centre)
+    nearest = np.abs(towards) @ frame.half
+    distance = extent / np.tan(np.radians(LENS / 2)) + 0.55 * nearest
+    camera.SetPosition(*(frame.centre + distance * towards))
+    camera.SetViewUp(*(UP if elevation < POLE else -direction(azimuth, 0.0)))
+    camera.SetParallelScale(extent)
+    camera.OrthogonalizeViewUp()
+    camera.SetViewUp(*UP) if elevation < POLE else None
+
+
+def project_in_parallel(camera: vtkCamera, parallel: bool) -> None:
+    """Switch between parallel and perspective projection with the picture's size kept."""
+    if parallel == bool(camera.GetParallelProjection()):
+        return
+    half = np.tan(np.radians(camera.GetViewAngle() / 2))
+    if parallel:
+        camera.SetParallelScale(camera.GetDistance() * half)
+    else:
+        towards = -np.array(camera.GetDirectionOfProjection())
+        distance = camera.GetParallelScale() / half
+        camera.SetPosition(*(np.array(camera.GetFocalPoint()) + distance * towards))
+    camera.SetParallelProjection(parallel)
+
+
+def angles(camera: vtkCamera) -> tuple[float, float]:
+    """Azimuth and elevation of the camera in degrees."""
+    x, y, z = -np.array(camera.GetDirectionOfProjection())
+    return float(np.degrees(np.arctan2(x, z))), float(np.degrees(np.arcsin(np.clip(y, -1.0, 1.0))))
+
+
+def orbit(camera: vtkCamera, pivot: FloatArray, azimuth: float, elevation: float) -> None:
+    """Turn about a point by degrees, upright for ever; the picture of the point stays where it is."""
+    _, now = angles(camera)
+    elevation = float(np.clip(now + elevation, -POLE, POLE) - now)
+    position, focus = np.array(camera.GetPosition()), np.array(camera.GetFocalPoint())
+    sideways = np.cross(np.array(camera.GetDirectionOfProjection()), UP)
+    sideways /= np.linalg.norm(sideways)
+    turn = Rotation.from_rotvec(np.radians(azimuth) * UP) * Rotation.from_rotvec(-np.radians(elevation) * sideways)
+    camera.SetPosition(*(pivot + turn.apply(position - pivot)))
+    camera.SetFocalPoint(*(pivot + turn.apply(focus - pivot)))
+    camera.SetViewUp(*UP)
+
+
+def pan(camera: vtkCamera, right: float, up: float) -> None:
+    """Shift the picture by shares of its height."""
+    towards = np.array(camera.GetDirectionOfProjection())
+    sideways = np.cross(towards, np.array(camera.GetViewUp()))
+    sideways /= np.linalg.norm(sideways)
+    height = 2 * picture_scale(camera)
+    move = -height * (right * sideways + up * np.cross(sideways, towards))
+    camera.SetPosition(*(np.array(camera.GetPosition()) + move))
+    camera.SetFocalPoint(*(np.array(camera.GetFocalPoint()) + move))
+
+
+def picture_scale(camera: vtkCamera) -> float:
+    """Half the height of the picture at the focal point, millimetres."""
+    if camera.GetParallelProjection():
+        return float(camera.GetParallelScale())
+    return float(camera.GetDistance() * np.tan(np.radians(camera.GetViewAngle() / 2)))
+
+
+def zoom(camera: vtkCamera, factor: float, right: float = 0.0, up: float = 0.0) -> None:
+    """Bring the face nearer by a factor, towards a point of the picture.
+
+    Parameters
+    ----------
+    factor : larger than one brings it nearer
+    right, up : the point that stays in place, from the picture's centre in shares of its height
+    """
+    pan(camera, -right, -up)
+    if camera.GetParallelProjection():
+        camera.SetParallelScale(camera.GetParallelScale() / factor)
+    else:
+        focus, position = np.array(camera.GetFocalPoint()), np.array(camera.GetPosition())
+        camera.SetPosition(*(focus + (position - focus) / factor))
+    pan(camera, right, up)
+
+
+def aspect_of(renderer: vtkRenderer) -> float:
+    """Width over height of what a renderer draws into."""
+    width, height = renderer.GetSize()
+    return width / height if height else 1.0

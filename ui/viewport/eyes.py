@@ -1,0 +1,91 @@
+"""The eyes: eyeballs in the shade of their lids, under a film that mirrors the lamps."""
+
+from __future__ import annotations
+
+import numpy as np
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from facemodel.eyeball import eyeball
+from facemodel.face import Eye
+from fem.types import Float32Array, FloatArray
+from ui.viewport.lids import LidLine
+from ui.viewport.look import bytes_of
+from ui.viewport.shading import EYE, apply, glaze
+from ui.viewport.surface import Surface
+
+UPPER_SHADE, UPPER_REACH = 0.80, 2.6
+LOWER_SHADE, LOWER_REACH = 0.35, 1.0
+"""How much light the lids take at their margin, and over how many millimetres that fades."""
+CORNER_REACH = 2.5
+"""Millimetres over which the corners of the eye fall into shade."""
+
+
+class EyeInLids:
+    """One eye with the shade of its lids on it.
+
+    Attributes
+    ----------
+    ball, film : what VTK draws
+    """
+
+    def __init__(self, eye: Eye, lids: LidLine) -> None:
+        made = eyeball(eye)
+        mesh, index = made.opaque
+        shell, shell_index = made.cornea
+        self.ball = Surface(
+            mesh.positions.astype(np.float32),
+            made.normals[index].astype(np.float32),
+            mesh.triangles,
+            bytes_of(made.colours[index]),
+        )
+        apply(self.ball.actor, EYE, openness=True)
+        self.ball.actor.ForceOpaqueOn()
+        self.film = Surface(
+            shell.positions.astype(np.float32), made.normals[shell_index].astype(np.float32), shell.triangles
+        )
+        glaze(self.film.actor)
+        self._lids = lids
+        self._seen: FloatArray | None = None
+        self._front = np.flatnonzero(mesh.positions[:, 2] > eye.centre[2])
+        self._at = mesh.positions[self._front]
+
+    @property
+    def actors(self) -> tuple[vtkActor, ...]:
+        """What is drawn, the clear film last."""
+        return self.ball.actor, self.film.actor
+
+    def shade(self, points: Float32Array) -> None:
+        """Follow the lids: ``points`` (P, 3) is the posed skin."""
+        margin = self._lids.places(points)
+        if self._seen is not None and np.array_equal(margin, self._seen):
+            return
+        self._seen = margin
+        colours = self.ball.colours
+        if colours is not None:
+            colours[self._front, 3] = np.clip(255 * lid_light(self._at, margin), 0, 255)
+            self.ball.recoloured()
+
+
+def lid_light(places: FloatArray, margin: FloatArray) -> FloatArray:
+    """Share (n,) of the light that the lids let through to places on the front of an eyeball.
+
+    Parameters
+    ----------
+    places : (n, 3)
+    margin : (m, 3) the lid margin as a closed loop
+    """
+    inner, outer = margin[margin[:, 0].argmin()], margin[margin[:, 0].argmax()]
+    share = (margin[:, 0] - inner[0]) / (outer[0] - inner[0])
+    level = inner[1] + share * (outer[1] - inner[1])
+    upper, lower = margin[margin[:, 1] >= level], margin[margin[:, 1] < level]
+    below = _height(upper, places[:, 0]) - places[:, 1]
+    above = places[:, 1] - _height(lower, places[:, 0])
+    inside = np.minimum(places[:, 0] - inner[0], outer[0] - places[:, 0])
+    light = 1 - UPPER_SHADE * np.exp(-((np.maximum(below, 0) / UPPER_REACH) ** 1.3))
+    light *= 1 - LOWER_SHADE * np.exp(-np.maximum(above, 0) / LOWER_REACH)
+    return np.asarray(light * (1 - 0.6 * np.exp(-np.maximum(inside, 0) / CORNER_REACH)))
+
+
+def _height(lid: FloatArray, x: FloatArray) -> FloatArray:
+    order = np.argsort(lid[:, 0])
+    return np.interp(x, lid[order, 0], lid[order, 1])

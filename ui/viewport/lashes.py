@@ -1,0 +1,112 @@
+"""Eyelashes: curved, tapering hairs that ride on the lid margins and turn with the lids about the eyeball."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from facemodel.face import Eye
+from fem.types import Float32Array, FloatArray, IntArray
+from ui.viewport.lids import LidLine
+from ui.viewport.shading import HAIR, apply
+from ui.viewport.surface import Surface
+
+COUNT = {"upper": 84, "lower": 52}
+LENGTH = {"upper": 8.2, "lower": 4.4}
+"""Hairs per lid, and their length in millimetres where they are longest."""
+SEGMENTS = 5
+ROOT_WIDTH = 0.30
+"""Millimetres; a hair is thinner, but several grow together."""
+ROOT_LIFT = 1.3
+"""Millimetres above the eyeball at which lashes leave the lid."""
+
+
+class Lashes:
+    """The lashes of one eye.
+
+    Attributes
+    ----------
+    surface : what VTK draws
+    """
+
+    def __init__(self, eye: Eye, lids: LidLine, rest: Float32Array, hair: tuple[float, float, float]) -> None:
+        """Plant the lashes along a line of the lids on the resting skin ``rest`` (P, 3)."""
+        self._centre = eye.centre
+        self._lids = lids
+        self._plan = _Plan(lids.places(rest), eye)
+        count = self._plan.count
+        ribs = np.arange(count)[:, None] * SEGMENTS * 2 + 2 * np.arange(SEGMENTS - 1)[None]
+        a = ribs.reshape(-1)
+        triangles = np.concatenate([np.stack([a, a + 1, a + 3], 1), np.stack([a, a + 3, a + 2], 1)])
+        shape = (count * SEGMENTS * 2, 3)
+        self.surface = Surface(np.zeros(shape, np.float32), np.zeros(shape, np.float32), triangles)
+        actor = self.surface.actor
+        actor.GetProperty().SetColor(*(0.45 * c for c in hair))
+        apply(actor, HAIR)
+        self._seen: FloatArray | None = None
+        self.follow(rest)
+
+    def follow(self, points: Float32Array) -> None:
+        """Grow from the posed skin ``points`` (P, 3)."""
+        margin = self._lids.places(points)
+        if self._seen is not None and np.array_equal(margin, self._seen):
+            return
+        self._seen = margin
+        places, normals = self._plan.grow(margin, self._centre)
+        self.surface.points[:] = places.reshape(-1, 3)
+        self.surface.normals[:] = normals.reshape(-1, 3)
+        self.surface.moved()
+
+
+class _Plan:
+    """Where each hair is rooted and how it is bent, settled once at rest."""
+
+    def __init__(self, margin: FloatArray, eye: Eye) -> None:
+        random = np.random.default_rng(11)
+        outward = 1.0 if eye.side == "L" else -1.0
+        inner = margin[(margin[:, 0] * outward).argmin()]
+        outer = margin[(margin[:, 0] * outward).argmax()]
+        across = (outer - inner) * [1, 0, 0]
+        self.low: list[IntArray] = []
+        parts = []
+        following = np.roll(np.arange(len(margin)), -1)
+        middle = (margin + margin[following]) / 2
+        level = inner[1] + (middle - inner) @ across / (across @ across) * (outer[1] - inner[1])
+        for lid, upper in (("upper", True), ("lower", False)):
+            edges = np.flatnonzero((middle[:, 1] >= level) == upper)
+            length = np.linalg.norm(margin[following[edges]] - margin[edges], axis=1)
+            ends = np.cumsum(length)
+            at = np.sort(random.uniform(0.02, 0.98, COUNT[lid])) * ends[-1]
+            edge = np.searchsorted(ends, at)
+            share = 1 - (ends[edge] - at) / length[edge]
+            start, stop = edges[edge], following[edges[edge]]
+            root = margin[start] * (1 - share)[:, None] + margin[stop] * share[:, None]
+            s = np.clip((root - inner) @ across / (across @ across), 0, 1)
+            size = LENGTH[lid] * np.interp(s, [0, 0.15, 0.5, 0.8, 1], [0.25, 0.5, 0.85, 1.0, 0.8])
+            parts.append((start, stop, share, s, size * random.uniform(0.72, 1.0, len(s)), np.full(len(s), upper)))
+        columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
+        self.start, self.stop, self.share, self.s, self.length, upper_hair = columns
+        self.count = len(self.s)
+        self.sign = np.where(upper_hair, 1.0, -1.0)
+        self.spread = (self.s - 0.38) * np.where(upper_hair, 1.25, 0.9) + random.normal(0, 0.09, self.count)
+        self.curl = np.where(upper_hair, 1.15, 0.6) * random.uniform(0.8, 1.1, self.count)
+        self.outward = outward
+
+    def grow(self, margin: FloatArray, centre: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Points and normals (H, SEGMENTS, 2, 3) of the hairs' ribbons."""
+        share = self.share[:, None]
+        root = margin[self.start] * (1 - share) + margin[self.stop] * share
+        radial = _unit(root - centre)
+        side = _unit(np.array([self.outward, 0.0, 0.0]) - radial * (radial[:, :1] * self.outward))
+        up = np.cross(radial, side) * self.outward * self.sign[:, None]
+        heading = _unit(radial + 0.10 * up + self.spread[:, None] * side)
+        t = np.linspace(0, 1, SEGMENTS)[None, :, None]
+        size = self.length[:, None, None]
+        path = root[:, None] + size * (t * heading[:, None] + 0.5 * self.curl[:, None, None] * t**2 * up[:, None])
+        width = (ROOT_WIDTH * (1 - 0.9 * t**1.5))[..., None] * np.array([-0.5, 0.5])[None, None, :, None]
+        flat = _unit(np.cross(heading, up))[:, None, None]
+        normal = np.broadcast_to(_unit(radial + up)[:, None, None], (self.count, SEGMENTS, 2, 3))
+        return path[:, :, None] + width * flat, normal
+
+
+def _unit(vectors: FloatArray) -> FloatArray:
+    return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-9))

@@ -1,0 +1,59 @@
+"""The edge of the lids: where the skin leaves the eyeball, as a closed line that moves with the skin."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from facemodel.display import DisplaySurface
+from facemodel.face import Eye
+from fem.types import Float32Array, FloatArray, IntArray
+
+NEAR = 1.6
+"""Radii of the eyeball within which its lids lie."""
+
+
+@dataclass(frozen=True, eq=False)
+class LidLine:
+    """A closed line round an eye on the drawn skin.
+
+    Attributes
+    ----------
+    start, stop : (n,) drawn points at the ends of the edges that the line crosses
+    share : (n,) how far from ``start`` to ``stop``
+    """
+
+    start: IntArray
+    stop: IntArray
+    share: FloatArray
+
+    def places(self, points: Float32Array) -> FloatArray:
+        """The line (n, 3) on the posed skin ``points`` (P, 3), in order round the eye."""
+        share = self.share[:, None]
+        return np.asarray(points[self.start] * (1 - share) + points[self.stop] * share, dtype=np.float64)
+
+
+def lid_line(display: DisplaySurface, eye: Eye, lift: float) -> LidLine:
+    """Where the resting lids stand ``lift`` millimetres above the eyeball.
+
+    Parameters
+    ----------
+    display : the drawn skin
+    eye : the eyeball that the lids lie on
+    lift : zero for the line at which the eye becomes visible, more for one farther out on the lids
+    """
+    offset = display.points - eye.centre
+    radius = np.linalg.norm(offset, axis=1)
+    near = (radius < NEAR * eye.radius) & (offset[:, 2] > 0.2 * eye.radius)
+    triangles = display.triangles[near[display.triangles].all(axis=1)]
+    edges = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
+    height = radius - eye.radius - lift
+    low, high = np.sort(height[edges], axis=1).T
+    crossed = edges[(low < 0) & (high >= 0)]
+    a, b = height[crossed].T
+    share = a / (a - b)
+    places = display.points[crossed[:, 0]] * (1 - share)[:, None] + display.points[crossed[:, 1]] * share[:, None]
+    middle = (places.min(axis=0) + places.max(axis=0)) / 2
+    order = np.argsort(np.arctan2(places[:, 1] - middle[1], places[:, 0] - middle[0]))
+    return LidLine(crossed[order, 0], crossed[order, 1], share[order])

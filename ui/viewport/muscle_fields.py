@@ -1,0 +1,75 @@
+"""Where and how strongly muscles pull on the skin of a project."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from facemodel.actions import Expression
+from facemodel.loads import field_forces
+from facemodel.mesh import Mesh
+from facemodel.muscles import Muscle
+from facemodel.muscles.models import muscle_forces
+from facemodel.project import Project
+from fem.types import FloatArray
+
+
+@lru_cache(maxsize=256)
+def muscle_pull(muscle: Muscle, skin: Mesh) -> FloatArray:
+    """Force per area (N,) with which a muscle pulls each skin vertex at full contraction, N/mm^2."""
+    return np.linalg.norm(muscle_forces(muscle, skin), axis=1)
+
+
+def muscle_named(project: Project, key: str) -> Muscle | None:
+    """The muscle with a key, if the project has it."""
+    return next((muscle for muscle in project.muscles if muscle.key == key), None)
+
+
+def strongest_muscle(project: Project, vertex: int) -> Muscle | None:
+    """The muscle that pulls most at a skin vertex, measured by its own largest pull; None where none does."""
+    best, share = None, 0.05
+    for muscle in project.muscles:
+        pull = muscle_pull(muscle, project.face.skin)
+        top = float(pull.max())
+        if top > 0 and pull[vertex] / top > share:
+            best, share = muscle, float(pull[vertex] / top)
+    return best
+
+
+class FieldForces:
+    """Force per area of every field of a project.
+
+    Parameters
+    ----------
+    project : its units, muscles and skin count
+    """
+
+    def __init__(self, project: Project) -> None:
+        names, forces = field_forces(project.units, project.muscles, project.face.skin)
+        self._row = {name: k for k, name in enumerate(names)}
+        self._forces = forces.astype(np.float32)
+
+    def of(self, expression: Expression) -> FloatArray:
+        """Force per area (N, 3) on the skin of an expression, N/mm^2."""
+        total = np.zeros(self._forces.shape[1:])
+        for name, weight in expression.items():
+            if name in self._row and weight:
+                total += weight * self._forces[self._row[name]]
+        return total
+
+
+def activations(project: Project, expression: Expression) -> dict[str, float]:
+    """Contraction of every muscle by key in an expression; full at the largest that one unit alone asks of it."""
+    pulled: dict[str, float] = {}
+    largest: dict[str, float] = {}
+    keys = {muscle.key for muscle in project.muscles}
+    for unit in project.units:
+        for field in unit.fields:
+            weight = abs(expression.get(field, 0.0))
+            sides = (field[-1],) if unit.paired else ("L", "R")
+            for name, share in unit.muscles.items():
+                for key in [name] if name in keys else [f"{name}_{side}" for side in sides]:
+                    pulled[key] = pulled.get(key, 0.0) + weight * abs(share)
+                    largest[key] = max(largest.get(key, 0.0), abs(share))
+    return {key: min(1.0, value / largest[key]) for key, value in pulled.items() if largest[key] > 0}

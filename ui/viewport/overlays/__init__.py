@@ -1,0 +1,1 @@
+"""What can be drawn with the skin; every overlay adds and removes its own actors."""

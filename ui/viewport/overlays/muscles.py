@@ -1,0 +1,106 @@
+"""The muscles: bands with visible fibres, coloured by group; what contracts glows, what is selected stands out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import igl
+import numpy as np
+
+from facemodel.mesh import Mesh
+from fem.types import FloatArray, IntArray
+from ui.viewport.muscle_fields import activations
+from ui.viewport.overlays.bands import Band, band
+from ui.viewport.overlays.glow import ACCENT
+from ui.viewport.overlays.overlay import Drawn, Overlay
+from ui.viewport.shading import BAND, apply
+from ui.viewport.surface import Surface
+
+GROUPS: Mapping[str, tuple[float, float, float]] = {
+    "brow": (0.80, 0.58, 0.27),
+    "eye": (0.36, 0.60, 0.62),
+    "nose": (0.58, 0.47, 0.74),
+    "cheek": (0.74, 0.33, 0.31),
+    "lip": (0.76, 0.42, 0.52),
+    "chin": (0.53, 0.60, 0.35),
+}
+"""Colours of muscle groups, alike in brightness."""
+OTHER = (0.62, 0.40, 0.36)
+TENDON = (0.80, 0.74, 0.68)
+REST, FULL = 0.62, 1.25
+"""Brightness of a muscle at rest and fully contracted."""
+HOT = (1.00, 0.66, 0.36)
+"""What a contracting muscle turns to."""
+SWELL = 1.2
+"""Millimetres that a contracted muscle is thicker."""
+
+
+class MusclesOverlay(Overlay):
+    """All muscles of a project in one actor."""
+
+    def build(self, drawn: Drawn) -> None:
+        """Lay the bands under the resting skin."""
+        skin = drawn.project.face.skin
+        bands = [band(muscle, skin) for muscle in drawn.project.muscles]
+        sizes = [b.points.shape[0] * b.points.shape[1] for b in bands]
+        first = np.cumsum([0, *sizes])
+        self._rest = np.concatenate([b.points.reshape(-1, 3) for b in bands])
+        triangles = np.concatenate([b.triangles + k for b, k in zip(bands, first, strict=False)])
+        self._owner = np.repeat(np.arange(len(bands)), sizes)
+        self._base = np.concatenate(
+            [_colours(b, GROUPS.get(m.group, OTHER)) for b, m in zip(bands, drawn.project.muscles, strict=True)]
+        )
+        self._share = np.concatenate([np.tile(b.along**2, b.points.shape[0]) for b in bands])
+        self._anchor = _nearest(self._rest, drawn)
+        self._anchored = drawn.figure.posed.basis.display.points
+        normals = _outward(Mesh(self._rest, triangles), self._rest, drawn)
+        self._normals = normals.astype(np.float32)
+        colours = np.full((len(self._rest), 4), 255, dtype=np.uint8)
+        self._surface = Surface(self._rest.astype(np.float32), self._normals, triangles, colours)
+        apply(self._surface.actor, BAND)
+        self.add(self._surface.actor)
+
+    def follow(self, drawn: Drawn) -> None:
+        """Colour by contraction and selection, and move the attachments with the skin."""
+        active = activations(drawn.project, drawn.expression)
+        keys = [muscle.key for muscle in drawn.project.muscles]
+        pull = np.array([active.get(key, 0.0) for key in keys])
+        chosen = np.array([key == drawn.muscle or key in drawn.glowing for key in keys])
+        at = pull[self._owner][:, None]
+        colour = self._base * (REST + (FULL - REST) * at)
+        colour += (np.array(HOT) - colour) * 0.45 * at
+        colour += (np.array(ACCENT) - colour) * 0.75 * chosen[self._owner][:, None]
+        colours = self._surface.colours
+        assert colours is not None
+        colours[:, :3] = np.clip(255 * colour, 0, 255)
+        shift = drawn.figure.posed.points[self._anchor] - self._anchored[self._anchor]
+        self._surface.points[:] = self._rest + self._share[:, None] * shift
+        self._surface.points[:] += (SWELL * pull[self._owner] * (1 - self._share))[:, None] * self._normals
+        self._surface.recoloured()
+        self._surface.moved()
+
+
+def _colours(shape: Band, group: tuple[float, float, float]) -> FloatArray:
+    """Colours (n, 3) of a band: fibres as fine stripes, paler towards the tendon."""
+    rows, columns = shape.points.shape[:2]
+    stripe = 1.0 + 0.16 * np.where(np.arange(rows) % 2 == 0, 1.0, -1.0)
+    colour = np.array(group) * stripe[:, None, None] * np.ones((1, columns, 1))
+    pale = np.clip(1 - shape.along / 0.16, 0, 1) ** 2
+    return np.asarray((colour + (np.array(TENDON) - colour) * (0.7 * pale)[None, :, None]).reshape(-1, 3))
+
+
+def _nearest(places: FloatArray, drawn: Drawn) -> IntArray:
+    """The drawn point nearest to each place."""
+    display = drawn.figure.posed.basis.display
+    points = display.points.astype(np.float64)
+    _, element, nearest = igl.point_mesh_squared_distance(np.ascontiguousarray(places), points, display.triangles)
+    corners = display.triangles[element]
+    closest = np.linalg.norm(points[corners] - nearest[:, None], axis=2).argmin(axis=1)
+    return np.asarray(corners[np.arange(len(corners)), closest])
+
+
+def _outward(mesh: Mesh, places: FloatArray, drawn: Drawn) -> FloatArray:
+    """Normals (n, 3) of the bands, turned to the side of the skin."""
+    towards = drawn.figure.posed.basis.display.normals[_nearest(places, drawn)]
+    side = np.sign(np.einsum("nc,nc->n", mesh.normals, towards))
+    return np.asarray(mesh.normals * np.where(side == 0, 1.0, side)[:, None])

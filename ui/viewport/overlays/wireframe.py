@@ -1,0 +1,64 @@
+"""The edges of the finite elements on the smooth skin; they share the skin's points and so move with it."""
+
+from __future__ import annotations
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+from facemodel.display import DisplaySurface
+from facemodel.face import Face
+from fem.types import IntArray
+from ui.viewport.overlays.overlay import Drawn, Overlay
+
+SOLVED, HELD = (0.06, 0.07, 0.09), (0.30, 0.32, 0.36)
+"""Colours of the edges of solved elements and of the held rest."""
+NOWHERE = 1e-6
+"""A barycentric coordinate below this means that the point does not hang on that corner."""
+
+
+def element_edges(face: Face, display: DisplaySurface) -> IntArray:
+    """Segments (n, 2) of the drawn skin that lie on edges of elements.
+
+    A segment does so if both its ends hang on the same two corners.
+    """
+    pairs = np.sort(display.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    pairs = np.unique(pairs, axis=0)
+    corners = np.where(display.barycentric > NOWHERE, face.skin.triangles[display.elements], -1)
+    both = np.sort(np.concatenate([corners[pairs[:, 0]], corners[pairs[:, 1]]], axis=1), axis=1)
+    distinct = (np.diff(both, axis=1) > 0).sum(axis=1) + (both[:, 0] >= 0)
+    return np.asarray(pairs[distinct <= 2])
+
+
+class WireframeOverlay(Overlay):
+    """Element edges, dark on what is solved and pale on what is held."""
+
+    def build(self, drawn: Drawn) -> None:
+        """Make the lines."""
+        display = drawn.figure.posed.basis.display
+        edges = element_edges(drawn.project.face, display)
+        held = (edges >= display.moving).any(axis=1)
+        for chosen, colour in ((edges[~held], SOLVED), (edges[held], HELD)):
+            self.add(_lines(drawn, chosen, colour))
+
+    def follow(self, drawn: Drawn) -> None:
+        """Nothing to do: the points are the skin's own."""
+
+
+def _lines(drawn: Drawn, edges: IntArray, colour: tuple[float, float, float]) -> vtkActor:
+    data = vtkPolyData()
+    data.SetPoints(drawn.figure.skin.surface.data.GetPoints())
+    cells = vtkCellArray()
+    cells.SetData(2, numpy_to_vtkIdTypeArray(np.ascontiguousarray(edges, dtype=np.int64).ravel(), deep=True))
+    data.SetLines(cells)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -4.0)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetLighting(False)
+    actor.GetProperty().SetLineWidth(1.0)
+    return actor

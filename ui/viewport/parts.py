@@ -1,0 +1,98 @@
+"""What lies behind the skin: lining of the mouth, sockets behind the lids, tongue, and the cap of the neck."""
+
+from __future__ import annotations
+
+import numpy as np
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+
+from facemodel.face import Face, Part
+from facemodel.mesh import Mesh
+from fem.types import Float32Array, FloatArray
+from ui.viewport.complexion import Colour, Palette, smooth
+from ui.viewport.look import bytes_of
+from ui.viewport.shading import FLESH, MATTE, apply
+from ui.viewport.surface import Surface
+
+MUCOSA: Colour = (0.52, 0.20, 0.19)
+THROAT: Colour = (0.10, 0.02, 0.025)
+TONGUE: Colour = (0.62, 0.31, 0.31)
+CAP: Colour = (0.09, 0.075, 0.07)
+INSET = 2.5
+"""Millimetres that the cap of the neck lies inside its rim."""
+DEEP = 34.0
+"""Millimetres behind the lips at which the mouth is black."""
+
+
+def _graded(mesh: Mesh, near: Colour, far: Colour, front: float, deep: float) -> FloatArray:
+    """Colours and openness (n, 4) that darken from ``front`` (z) backwards over ``deep`` millimetres."""
+    back = smooth(front - mesh.positions[:, 2], 0.0, deep)[:, None]
+    colours = np.array(near) * (1 - back) + np.array(far) * back
+    return np.concatenate([colours, 1 - 0.85 * back], axis=1)
+
+
+def lining(part: Part, posed: Float32Array, palette: Palette) -> Surface:
+    """The inside of the lips and cheeks, dark towards the throat."""
+    mesh = part.mesh
+    front = float(mesh.positions[:, 2].max())
+    colours = _graded(mesh, MUCOSA, THROAT, front - 2.0, DEEP)
+    lips = smooth(front - mesh.positions[:, 2], 16.0, 2.0)[:, None]
+    colours[:, :3] += (0.8 * np.array(palette.lips) - colours[:, :3]) * 0.7 * lips
+    surface = Surface(posed, mesh.normals.astype(np.float32), mesh.triangles, bytes_of(colours))
+    return _flesh(surface)
+
+
+def socket(part: Part, posed: Float32Array, palette: Palette) -> Surface:
+    """The inside of the lids, moist and pink at their margin."""
+    mesh = part.mesh
+    front = float(np.quantile(mesh.positions[:, 2], 0.95))
+    colours = _graded(mesh, palette.flush, THROAT, front, 9.0)
+    surface = Surface(posed, mesh.normals.astype(np.float32), mesh.triangles, bytes_of(colours))
+    return _flesh(surface)
+
+
+def tongue(part: Part) -> Surface:
+    """The tongue at rest; the jaw's motion is given to its actor."""
+    mesh = part.mesh
+    colours = _graded(mesh, TONGUE, THROAT, float(mesh.positions[:, 2].max()), 1.4 * DEEP)
+    colours[:, 3] *= 0.75
+    surface = Surface(
+        mesh.positions.astype(np.float32), mesh.normals.astype(np.float32), mesh.triangles, bytes_of(colours)
+    )
+    return _flesh(surface)
+
+
+def _flesh(surface: Surface) -> Surface:
+    """Dress a pocket; it is seen from inside only, so what bulges through the skin in a wide pose stays unseen."""
+    apply(surface.actor, FLESH, openness=True)
+    surface.actor.GetProperty().BackfaceCullingOn()
+    surface.actor.ForceOpaqueOn()
+    return surface
+
+
+def neck_cap(face: Face) -> Surface:
+    """A dark disk a little inside the neck's rim, so that nobody looks into a hollow head."""
+    rim = face.skin.positions[face.skin.boundary_loops[-1]]
+    middle = rim.mean(axis=0)
+    normal = np.linalg.svd(rim - middle)[2][2]
+    normal *= -np.sign(normal[1])
+    ring = rim - INSET * normal + INSET * _unit(middle - rim)
+    count = len(rim)
+    j = np.arange(count)
+    triangles = np.stack([j, np.roll(j, -1), np.full(count, count)], axis=1)
+    points = np.concatenate([ring, (middle - normal)[None]]).astype(np.float32)
+    normals = np.broadcast_to(normal, points.shape).astype(np.float32)
+    surface = Surface(points, np.ascontiguousarray(normals), triangles)
+    surface.actor.GetProperty().SetColor(*CAP)
+    apply(surface.actor, MATTE)
+    return surface
+
+
+def _unit(vectors: FloatArray) -> FloatArray:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+
+
+def moved_by(surface: Surface, motion: FloatArray) -> None:
+    """Give a rigid motion (4, 4) to an actor; its points stay."""
+    matrix = vtkMatrix4x4()
+    matrix.DeepCopy([float(x) for x in motion.ravel()])
+    surface.actor.SetUserMatrix(matrix)

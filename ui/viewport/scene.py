@@ -1,0 +1,258 @@
+"""The scene: the face of a project on a plotter, lit, with the overlays that the view state asks for.
+
+It draws nothing by itself: whoever changes it asks for a picture afterwards, at most once per frame.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pyvista as pv
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+from app.view_state import ViewState
+from facemodel.actions import Expression
+from facemodel.basis import Basis
+from facemodel.muscles import Muscle
+from facemodel.project import Project
+from facemodel.sampling import ELEMENTS, display_surface, head_surface
+from facemodel.solve import Solution
+from facemodel.superposition import Superposition
+from fem.types import FloatArray
+from ui.viewport.backdrop import BACKDROPS, hang
+from ui.viewport.camera import (
+    DIRECTIONS,
+    Frame,
+    aspect_of,
+    head_frame,
+    look_from,
+    orbit,
+    picture_scale,
+    project_in_parallel,
+)
+from ui.viewport.figure import Figure
+from ui.viewport.lights import light
+from ui.viewport.muscle_fields import muscle_named, muscle_pull, strongest_muscle
+from ui.viewport.overlays.forces import ForcesOverlay
+from ui.viewport.overlays.glow import glow_paint
+from ui.viewport.overlays.influence import InfluenceOverlay, influence_paint
+from ui.viewport.overlays.muscles import MusclesOverlay
+from ui.viewport.overlays.overlay import Drawn, Overlay
+from ui.viewport.overlays.skull import SkullOverlay
+from ui.viewport.overlays.supports import SupportsOverlay
+from ui.viewport.overlays.wireframe import WireframeOverlay
+from ui.viewport.pick import Hit, first_hit, ray_through, skin_vertex
+from ui.viewport.shading import Ghost
+
+RESCALED = 0.02
+"""Change of the picture's scale after which what has a size on the screen is made anew."""
+
+
+class Scene:
+    """The face of a project, drawn.
+
+    Parameters
+    ----------
+    plotter : a `pyvista.Plotter`, in a window or off the screen
+
+    Attributes
+    ----------
+    plotter, renderer : where it draws
+    figure : the face as it is drawn; none before the first project
+    state : what is shown
+    """
+
+    def __init__(self, plotter: pv.BasePlotter, theme: str = "dark") -> None:
+        self.plotter = plotter
+        self.renderer: vtkRenderer = plotter.renderer
+        self.figure: Figure | None = None
+        self.state = ViewState()
+        self._drawn: Drawn | None = None
+        self._overlays: dict[str, Overlay] = {
+            "skull": SkullOverlay(self.renderer),
+            "muscles": MusclesOverlay(self.renderer),
+            "forces": ForcesOverlay(self.renderer),
+            "supports": SupportsOverlay(self.renderer),
+            "wireframe": WireframeOverlay(self.renderer),
+            "influence": InfluenceOverlay(self.renderer),
+        }
+        plotter.camera_set = True
+        light(self.renderer)
+        self.renderer.SetUseOIT(False)
+        self.dress(theme)
+
+    def dress(self, theme: str) -> None:
+        """Hang the backdrop of a theme, ``dark`` or ``light``."""
+        hang(self.renderer, BACKDROPS[theme])
+
+    def show(self, project: Project, solution: Solution | None = None) -> None:
+        """Show a project, at rest; without a solution the neutral face alone.
+
+        The camera stays where it is, except for the first face or one of another size.
+        """
+        before = self._drawn
+        basis = solution.basis if solution is not None else neutral_basis(project)
+        if self.figure is not None:
+            for actor in self.figure.actors:
+                self.renderer.RemoveActor(actor)
+        self.figure = Figure(Superposition(project.face, basis))
+        for actor in self.figure.actors:
+            self.renderer.AddActor(actor)
+        self._drawn = Drawn(project, self.figure, {}, self.state.muscle)
+        if before is None or before.project.face is not project.face:
+            self.look_from(self.state.view if self.state.view in DIRECTIONS else "three-quarter")
+        self._ghost()
+        self._paint()
+        for name, overlay in self._overlays.items():
+            self._switch(overlay, getattr(self.state, name), rebuild=True)
+
+    def update_project(self, project: Project) -> None:
+        """Take over another value of the same face's project, for example other muscles or weights."""
+        if self._drawn is None or project.face is not self._drawn.project.face:
+            self.show(project)
+            return
+        before = self._drawn.project
+        self._drawn = replace(self._drawn, project=project)
+        if before.muscles is not project.muscles or before.units is not project.units:
+            self._paint()
+            for name, overlay in self._overlays.items():
+                self._switch(overlay, getattr(self.state, name), rebuild=True)
+
+    def pose(self, expression: Expression) -> None:
+        """Pose the face; one changed weight costs one scaled addition of a field. Draws nothing."""
+        if self.figure is None or self._drawn is None:
+            return
+        self.figure.posed.pose(expression)
+        self.figure.follow()
+        self._drawn = replace(self._drawn, expression=dict(expression))
+        self._follow()
+
+    def apply(self, state: ViewState) -> None:
+        """Show what a view state asks for; only what differs from before is touched, the camera never is."""
+        before, self.state = self.state, state
+        project_in_parallel(self.renderer.GetActiveCamera(), not state.perspective)
+        if self._drawn is None:
+            return
+        self._drawn = replace(self._drawn, muscle=state.muscle)
+        self._ghost()
+        if (state.influence, state.muscle) != (before.influence, before.muscle):
+            self._paint()
+        for name, overlay in self._overlays.items():
+            anew = name == "influence" and state.muscle != before.muscle
+            self._switch(overlay, getattr(state, name), rebuild=anew)
+        self._follow()
+
+    def glow(self, keys: frozenset[str]) -> None:
+        """Make the skin glow where some muscles pull; an empty set ends it."""
+        if self._drawn is not None and keys != self._drawn.glowing:
+            self._drawn = replace(self._drawn, glowing=keys)
+            self._paint()
+            self._follow()
+
+    def before_frame(self) -> None:
+        """To be called before a picture is drawn: what has a size on the screen follows the camera."""
+        if self._drawn is None:
+            return
+        self.renderer.ResetCameraClippingRange()
+        half = picture_scale(self.renderer.GetActiveCamera())
+        if abs(half / self._drawn.half_height - 1) > RESCALED:
+            self._drawn = replace(self._drawn, half_height=half)
+            if self._overlays["forces"].shown:
+                self._overlays["forces"].follow(self._drawn)
+
+    @property
+    def frame(self) -> Frame:
+        """What the whole head needs of the picture."""
+        if self._drawn is None:
+            return Frame(np.zeros(3), np.full(3, 120.0))
+        return head_frame(self._drawn.project.face)
+
+    @property
+    def pivot(self) -> FloatArray:
+        """The point (3,) that the camera turns about."""
+        return self.frame.centre
+
+    def look_from(self, view: str) -> None:
+        """Frame the head in a named view."""
+        camera = self.renderer.GetActiveCamera()
+        look_from(camera, self.frame, view, aspect_of(self.renderer))
+        camera.SetParallelProjection(not self.state.perspective)
+        self.renderer.ResetCameraClippingRange()
+
+    def frame_muscle(self, key: str) -> None:
+        """Bring the skin that a muscle pulls to the middle of the picture and near, from where one looks now."""
+        muscle = muscle_named(self._drawn.project, key) if self._drawn else None
+        if muscle is None or self._drawn is None:
+            return
+        skin = self._drawn.project.face.skin
+        pull = muscle_pull(muscle, skin)
+        places = skin.positions[pull > 0.2 * pull.max()]
+        camera = self.renderer.GetActiveCamera()
+        towards = -np.array(camera.GetDirectionOfProjection())
+        half = 1.6 * float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())
+        distance = half / np.tan(np.radians(camera.GetViewAngle() / 2))
+        camera.SetFocalPoint(*places.mean(axis=0))
+        camera.SetPosition(*(places.mean(axis=0) + distance * towards))
+        camera.SetParallelScale(half)
+        self.renderer.ResetCameraClippingRange()
+
+    def turn(self, degrees: float) -> None:
+        """Turn the head by some degrees, as on a turntable."""
+        orbit(self.renderer.GetActiveCamera(), self.pivot, degrees, 0.0)
+        self.renderer.ResetCameraClippingRange()
+
+    def pick(self, x: float, y: float) -> Hit | None:
+        """The place of the posed skin under a point of the picture (pixels, from the lower left)."""
+        if self.figure is None:
+            return None
+        posed = self.figure.posed
+        return first_hit(posed.points, posed.basis.display.triangles, *ray_through(self.renderer, x, y))
+
+    def muscle_at(self, x: float, y: float) -> Muscle | None:
+        """The muscle that pulls most on the skin under a point of the picture."""
+        hit = self.pick(x, y)
+        if hit is None or self._drawn is None or self.figure is None:
+            return None
+        project = self._drawn.project
+        return strongest_muscle(project, skin_vertex(project.face, self.figure.posed.basis.display, hit))
+
+    def _ghost(self) -> None:
+        if self.figure is not None:
+            veiled = self.state.skull or self.state.muscles
+            self.figure.ghost(Ghost.VEIL if veiled else Ghost.SOLID)
+
+    def _paint(self) -> None:
+        if self.figure is None or self._drawn is None:
+            return
+        colours = glow_paint(self._drawn) if self._drawn.glowing else None
+        if colours is None and self.state.influence:
+            colours = influence_paint(self._drawn)
+        self.figure.skin.paint(colours)
+
+    def _switch(self, overlay: Overlay, on: bool, rebuild: bool) -> None:
+        if self._drawn is None:
+            return
+        if on and (rebuild or not overlay.shown):
+            overlay.show(self._drawn)
+        elif not on and overlay.shown:
+            overlay.hide()
+
+    def _follow(self) -> None:
+        for overlay in self._overlays.values():
+            if overlay.shown and self._drawn is not None:
+                overlay.follow(self._drawn)
+
+
+def neutral_basis(project: Project) -> Basis:
+    """A basis without fields, on which the neutral face can be drawn before anything is solved."""
+    face, settings = project.face, project.settings
+    display = display_surface(face, head_surface(face, ELEMENTS[settings.element]), settings.density)
+    carried = sum(count for _, count in display.carried)
+    return Basis(
+        names=(),
+        display=display,
+        fields=np.zeros((0, 3 * (carried + display.moving)), dtype=np.float32),
+        slopes=np.zeros((0, 6 * display.moving), dtype=np.float32),
+        jaw=np.zeros((0, 2)),
+    )

@@ -1,0 +1,110 @@
+"""A triangle surface that VTK draws straight out of numpy arrays."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
+
+from fem.types import Float32Array, FloatArray, IntArray
+
+ByteArray = NDArray[np.uint8]
+
+
+class Surface:
+    """An actor whose points, normals and colours are the arrays given, never copies of them.
+
+    Attributes
+    ----------
+    points, normals : (n, 3) float32, C order; write into them, then call `moved`
+    colours : (n, 4) uint8 or None; write into them, then call `recoloured`
+    data, mapper, actor : the VTK side
+    """
+
+    def __init__(
+        self,
+        points: Float32Array,
+        normals: Float32Array,
+        triangles: IntArray,
+        colours: ByteArray | None = None,
+    ) -> None:
+        self.points, self.normals, self.colours = points, normals, colours
+        self.data = vtkPolyData()
+        self._drawn_points = shared(points, VTK_FLOAT)
+        vertices = vtkPoints()
+        vertices.SetData(self._drawn_points)
+        self.data.SetPoints(vertices)
+        self.data.SetPolys(cells(triangles))
+        self._drawn_normals = shared(normals, VTK_FLOAT)
+        self._drawn_normals.SetName("Normals")
+        self.data.GetPointData().SetNormals(self._drawn_normals)
+        if colours is not None:
+            self._drawn_colours = shared(colours, VTK_UNSIGNED_CHAR)
+            self._drawn_colours.SetName("colours")
+            self.data.GetPointData().SetScalars(self._drawn_colours)
+        self.mapper = vtkPolyDataMapper()
+        self.mapper.SetInputData(self.data)
+        self.mapper.SetScalarVisibility(colours is not None)
+        self.mapper.SetColorModeToDirectScalars()
+        self.actor = vtkActor()
+        self.actor.SetMapper(self.mapper)
+        self.actor.GetProperty().SetInterpolationToPhong()
+
+    def wear(self, image: ByteArray, coordinates: FloatArray) -> None:
+        """Lay a picture (h, w, 3) uint8 on the surface, by texture coordinates (n, 2)."""
+        placed = np.ascontiguousarray(coordinates, dtype=np.float32)
+        self.data.GetPointData().SetTCoords(numpy_to_vtk(placed, deep=True, array_type=VTK_FLOAT))
+        self.actor.SetTexture(texture(image))
+
+    def moved(self) -> None:
+        """Tell VTK that points and normals were written."""
+        self._drawn_points.Modified()
+        self.data.GetPoints().Modified()
+        self._drawn_normals.Modified()
+        self.data.Modified()
+
+    def recoloured(self) -> None:
+        """Tell VTK that the colours were written."""
+        self._drawn_colours.Modified()
+        self.data.Modified()
+
+
+def shared(array: NDArray[np.generic], kind: int):
+    """A VTK array over the memory of a C-ordered numpy array.
+
+    Raises
+    ------
+    ValueError
+        if the array is not contiguous, since VTK would then silently draw a copy
+    """
+    if not array.flags.c_contiguous:
+        raise ValueError("An array that VTK is to draw must be contiguous in C order.")
+    return numpy_to_vtk(array, deep=False, array_type=kind)
+
+
+def texture(image: ByteArray) -> vtkTexture:
+    """A picture (h, w, 3) uint8, its first row at v = 0, smooth at every distance."""
+    height, width, channels = image.shape
+    data = vtkImageData()
+    data.SetDimensions(width, height, 1)
+    flat = np.ascontiguousarray(image).reshape(-1, channels)
+    data.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True, array_type=VTK_UNSIGNED_CHAR))
+    made = vtkTexture()
+    made.SetInputData(data)
+    made.SetColorModeToDirectScalars()
+    made.InterpolateOn()
+    made.MipmapOn()
+    made.SetMaximumAnisotropicFiltering(1)
+    made.SetWrap(vtkTexture.ClampToEdge)
+    return made
+
+
+def cells(triangles: IntArray) -> vtkCellArray:
+    """Triangles (T, 3) as VTK cells."""
+    made = vtkCellArray()
+    flat = np.ascontiguousarray(triangles, dtype=np.int64).ravel()
+    made.SetData(3, numpy_to_vtkIdTypeArray(flat, deep=True))
+    return made
