@@ -42,11 +42,6 @@ class History:
         return tuple(step.label for step in self._done)
 
     @property
-    def undone(self) -> tuple[str, ...]:
-        """Labels of the steps that can be redone, next first."""
-        return tuple(step.label for step in reversed(self._undone))
-
-    @property
     def at_saved(self) -> bool:
         """Whether what stands is what was saved."""
         return self._saved == len(self._done)

@@ -3,7 +3,7 @@
 from app.actions.action import Action, Kind, perform, shortcuts_of
 from app.actions.context import Answer, Context, FileQuestion, Host, state_signals, table_signals
 from app.actions.files import may_leave, open_path
-from app.actions.table import MENUS, all_actions, find_action
+from app.actions.table import MENUS, all_actions
 
 __all__ = [
     "MENUS",
@@ -14,7 +14,6 @@ __all__ = [
     "Host",
     "Kind",
     "all_actions",
-    "find_action",
     "may_leave",
     "open_path",
     "perform",

@@ -10,7 +10,6 @@ from app.actions.files import FILE_ACTIONS, new_actions, recent_actions
 from app.actions.looking import LOOKING_ACTIONS
 from app.actions.solving import SOLVING_ACTIONS, face_actions
 from app.actions.window import WINDOW_ACTIONS
-from facemodel.errors import UnknownNameError
 
 MENUS = ("File", "Edit", "View", "Face", "Solve", "Window", "Help")
 """The menu bar, from left to right."""
@@ -29,17 +28,3 @@ def all_actions(context: Context) -> tuple[Action, ...]:
         *WINDOW_ACTIONS,
         *content_actions(context.document.project),
     )
-
-
-def find_action(action_id: str, context: Context) -> Action:
-    """The action with that id.
-
-    Raises
-    ------
-    UnknownNameError
-        If there is none.
-    """
-    for action in all_actions(context):
-        if action.id == action_id:
-            return action
-    raise UnknownNameError(f"There is no action “{action_id}”; the keyboard shortcuts list them all.")

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from app.actions import Answer, Context, FileQuestion, find_action, perform
+from app.actions import Action, Answer, Context, FileQuestion, all_actions, perform
 
 
 @dataclass
@@ -73,6 +73,11 @@ class Desk:
 
     def quit(self) -> None:
         self.calls.append("quit")
+
+
+def find_action(action_id: str, context: Context) -> Action:
+    (found,) = (action for action in all_actions(context) if action.id == action_id)
+    return found
 
 
 def do(action_id: str, context: Context) -> None:

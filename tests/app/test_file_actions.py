@@ -4,13 +4,13 @@ from pathlib import Path
 
 import pytest
 
-from app.actions import Answer, Context, all_actions, find_action, may_leave, open_path
+from app.actions import Answer, Context, all_actions, may_leave, open_path
 from app.actions.exporting import export_to
 from facemodel.errors import RisoriusError
 from facemodel.io.export import export_project
 from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
-from tests.app.desk import Desk, do
+from tests.app.desk import Desk, do, find_action
 
 
 def test_saving_asks_once_for_a_file_and_remembers_it(context: Context, desk: Desk, tmp_path: Path) -> None:
