@@ -1,4 +1,18 @@
-"""C1 finite elements on triangle meshes: arrays in, arrays out, no word of faces."""
+"""C1 finite elements on triangle meshes: arrays in, arrays out, no word of faces.
+
+From a mesh to its displacement under M loads (fem works in millimetres and newtons)::
+
+    surface = ChartedSurface(positions, triangles, chart)
+    assembler = smooth_assembler(surface, HCT9)
+    stiffness = assembler.assemble(element_tensors(surface, Material(direction, stretching, bending)))
+    springs = Foundation(SpringSet(vertices, directions, stiffness_per_area).blocks(surface.n_vertices))
+    system = SurfaceSystem(assembler.dofs, stiffness.matrix, Supports(kinds), springs.coupling(assembler))
+    loads = (load_operator(assembler) @ forces.reshape(len(forces), -1)).reshape(-1, 3, M)
+    fields = system.solve(loads)
+    points = subdivide(triangles, 3)
+    sample = sample_operators(assembler, points.elements, points.barycentric)
+    moved = sample.value @ (assembler.smooth_positions + fields[..., 0])
+"""
 
 from fem.assembly import Assembler, Stiffness
 from fem.dofs import DofMap

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.sparse import csc_array, diags_array
 from scipy.sparse.linalg import SuperLU, splu
 
+from fem.errors import FemError
 from fem.types import FloatArray
 
 # A known solution must come back to this accuracy, each unknown measured by the root of its diagonal entry. Held
@@ -18,7 +19,7 @@ LOOSE_ITERATIONS = 3
 _SEED = 1998
 
 
-class LooseMatrixError(ArithmeticError):
+class LooseMatrixError(FemError):
     """The matrix is singular to working accuracy.
 
     Parameters
@@ -28,7 +29,7 @@ class LooseMatrixError(ArithmeticError):
     """
 
     def __init__(self, motion: FloatArray) -> None:
-        super().__init__("The matrix is singular to working accuracy.")
+        super().__init__("The stiffness is singular to working accuracy; look for very thin triangles.")
         self.motion = motion
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from fem import ChartedSurface, FemError
+from fem import HCT12, Assembler, ChartedSurface, FemError, interpolate_smoothly
 from tests.fem.meshes import domed, flat, irregular, plate
 
 
@@ -63,6 +63,19 @@ def test_flipped_triangles_are_named() -> None:
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     bad = np.flatnonzero(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0] <= 0.0)
     assert str(bad[:5].tolist()) in str(caught.value)
+
+
+def test_a_triangle_is_refused_before_its_slopes_are_noise() -> None:
+    def with_height(height: float) -> ChartedSurface:
+        chart = np.array([[0.0, 0.0], [1.0, 0.0], [0.5, -0.8], [0.5, height]])
+        return ChartedSurface(flat(chart), np.array([[0, 1, 3], [1, 0, 2]]), chart)
+
+    surface = with_height(1e-4)
+    assembler = Assembler(surface, HCT12)
+    found = interpolate_smoothly(assembler, surface.chart @ np.array([[1.0], [2.0]]))
+    assert found[assembler.dofs.value_dofs + 1, 0] == pytest.approx(1.0, abs=1e-3)
+    with pytest.raises(FemError, match="degenerate"):
+        with_height(1e-5)
 
 
 def test_a_sliver_without_area_in_space_is_refused() -> None:
