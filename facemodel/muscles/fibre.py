@@ -52,6 +52,8 @@ def fibre_forces(muscle: Muscle, skin: Mesh) -> FloatArray:
     origins, attachments = fan(muscle.fibres, muscle.count)
     length = np.linalg.norm(origins - attachments, axis=1)
     whole = length > SHORTEST
+    if not whole.any():
+        return np.zeros_like(skin.positions)
     origins, attachments, length = origins[whole], attachments[whole], length[whole]
     m = (origins - attachments) / length[:, None]
     x = skin.positions
@@ -67,14 +69,16 @@ def fibre_forces(muscle: Muscle, skin: Mesh) -> FloatArray:
     weight = longitudinal(rho / length[:, None], muscle.kappa) * lateral(omega / muscle.width)
     weight *= lateral(beyond / muscle.width) * lateral(np.abs(depth) / reach) * (rho >= 0)
     total = np.zeros_like(x)
-    total[near] = muscle.strength / max(len(m), 1) * (weight.T @ m)
+    total[near] = muscle.strength / len(m) * (weight.T @ m)
     return total
 
 
 def _near(x: FloatArray, origins: FloatArray, attachments: FloatArray, width: float) -> IntArray:
     """Vertices (n,) in the box around a muscle, outside of which no force acts."""
     ends = np.concatenate([origins, attachments])
-    reach = width + float(np.linalg.norm(origins - attachments, axis=1).max(initial=0.0))
+    longest = float(np.linalg.norm(origins - attachments, axis=1).max())
+    # The farthest force: a width past the attachment, a width aside and as deep as the fibre is long.
+    reach = np.sqrt(2 * width**2 + max(longest, width) ** 2)
     inside = (x > ends.min(axis=0) - reach) & (x < ends.max(axis=0) + reach)
     return np.flatnonzero(inside.all(axis=1))
 
