@@ -1,0 +1,47 @@
+"""Small skins on which muscles and tissue can be computed by hand."""
+
+from typing import Any
+
+import numpy as np
+
+from facemodel.mesh import Mesh
+from facemodel.muscles import Fibre, Muscle, Sphincter
+from fem.types import FloatArray
+from tests.fem.meshes import plate
+
+
+def flat_skin(size: float = 60.0, segments: int = 30) -> Mesh:
+    """Return a square in the plane z = 0 about the origin, its normals along z."""
+    surface = plate(segments)
+    return Mesh((surface.positions - [0.5, 0.5, 0.0]) * size, surface.triangles)
+
+
+def domed_skin(size: float = 60.0, segments: int = 30) -> Mesh:
+    """Return the same square bulging along z."""
+    skin = flat_skin(size, segments)
+    x, y, _ = skin.positions.T
+    return skin.moved(np.column_stack([x, y, -(x**2 + y**2) / (2 * size)]))
+
+
+def fibre_muscle(fibres: list[tuple[list[float], list[float]]], **changes: Any) -> Muscle:
+    """Return a muscle of fibres given as (origin, attachment)."""
+    central = tuple(Fibre(np.array(origin), np.array(attachment)) for origin, attachment in fibres)
+    values = {"width": 8.0, "kappa": 1.0, "strength": 1.0, "count": 50} | changes
+    return Muscle("strap", "L", "Musculus", "cheek", "fibre", central, None, **values)
+
+
+def ring_muscle(ring: Sphincter | None, model: str = "sphincter", **changes: Any) -> Muscle:
+    values = {"width": 5.0, "kappa": 1.0, "strength": 1.0, "count": 1} | changes
+    return Muscle("ring", "L", "Orbicularis", "eye", model, (), ring, **values)  # type: ignore[arg-type]
+
+
+def at(skin: Mesh, *place: float) -> int:
+    """Return the vertex at a place, which must be there."""
+    away = np.linalg.norm(skin.positions - place, axis=1)
+    assert away.min() < 1e-9
+    return int(away.argmin())
+
+
+def sizes(forces: FloatArray) -> FloatArray:
+    """Return the length of every force."""
+    return np.asarray(np.linalg.norm(forces, axis=1))
