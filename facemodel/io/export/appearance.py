@@ -33,7 +33,7 @@ class Appearance:
 APPEARANCES: Mapping[str, Appearance] = {
     "skin": Appearance((0.835, 0.655, 0.560), roughness=0.55),
     "eye": Appearance((1.0, 1.0, 1.0), roughness=0.15),
-    "cornea": Appearance((1.0, 1.0, 1.0), opacity=0.08, sheer=True, roughness=0.02),
+    "cornea": Appearance((0.5, 0.5, 0.5), opacity=0.05, sheer=True, roughness=0.02),
     "teeth": Appearance((0.93, 0.90, 0.83), roughness=0.25),
     "tongue": Appearance((0.72, 0.38, 0.36), roughness=0.4),
     "lining": Appearance((0.55, 0.24, 0.23), roughness=0.45, two_sided=True),

@@ -108,4 +108,4 @@ def lash_opacity(part: Part, face: Face) -> FloatArray:
     """Opacity (P,) of a strip of lashes: dense at the lid margin, nothing at the tips, as hairs thin out."""
     margins = face.skin.positions[np.concatenate(face.skin.boundary_loops)]
     distance, _ = cKDTree(margins).query(part.mesh.positions)
-    return np.asarray(0.9 * (1 - distance / distance.max()) ** 2)
+    return np.asarray((1 - distance / distance.max()) ** 3)
