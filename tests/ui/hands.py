@@ -1,7 +1,7 @@
 """Hands: what a mouse does, as events."""
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QEnterEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -37,3 +37,14 @@ def move(widget: QWidget, place: QPoint, modifiers: Qt.KeyboardModifier = Qt.Key
         modifiers,
     )
     QApplication.sendEvent(widget, event)
+
+
+def enter(widget: QWidget) -> None:
+    """Bring the pointer over a widget."""
+    place = QPointF(widget.rect().center())
+    QApplication.sendEvent(widget, QEnterEvent(place, place, QPointF(widget.mapToGlobal(widget.rect().center()))))
+
+
+def leave(widget: QWidget) -> None:
+    """Take the pointer off a widget."""
+    QApplication.sendEvent(widget, QEvent(QEvent.Type.Leave))

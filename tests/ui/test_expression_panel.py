@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.document import Document
 from app.view import View
-from tests.ui.hands import drag
+from tests.ui.hands import drag, enter, leave
 from ui.panels.emotion_match import shown_strength
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.unit_text import muscle_titles, unit_matches, unit_tooltip
@@ -190,12 +190,19 @@ def test_hovering_a_bar_names_the_muscles_that_move_it(panel):
     heard = []
     panel.muscles_hovered.connect(heard.append)
     row = panel.rows[12]
-    row.slider.setFocus()
     QTest.mouseClick(row.split, Qt.MouseButton.LeftButton)
-    row.sides[1].setFocus()
-    panel.rows[26].slider.setFocus()
+    for slider in (row.slider, row.sides[1], panel.rows[26].slider):
+        enter(slider)
+        leave(slider)
     both, right = {"zygomaticus_major_L", "zygomaticus_major_R"}, {"zygomaticus_major_R"}
-    assert [keys for keys in heard if keys] == [both, right]
+    assert heard == [both, set(), right, set(), set(), set()]
+
+
+def test_a_hand_on_the_bar_ends_the_glow_so_that_the_face_is_seen(panel):
+    heard = []
+    panel.muscles_hovered.connect(heard.append)
+    enter(panel.rows[12].slider)
+    drag(panel.rows[12].slider, 0.1, 0.4)
     assert heard[-1] == frozenset()
 
 

@@ -42,7 +42,7 @@ class ExpressionPanel(QWidget):
 
     Signals
     -------
-    muscles_hovered(object) : frozenset of the keys of the muscles of what is under the pointer or the focus
+    muscles_hovered(object) : frozenset of the keys of the muscles that move what is under the pointer
     folds_changed(object) : frozenset of the keys of the folded groups
     """
 

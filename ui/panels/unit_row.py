@@ -26,7 +26,7 @@ class UnitRow(QWidget):
 
     Signals
     -------
-    hovered(object) : frozenset of the keys of the muscles that move what is under the pointer or the focus
+    hovered(object) : frozenset of the keys of the muscles that move what is under the pointer
     """
 
     hovered = Signal(object)

@@ -60,7 +60,7 @@ class ActivationSlider(QAbstractSlider):
     previewed(float) : the weight while it is being changed
     committed() : the change is over and stays
     cancelled() : the change is over and is taken back
-    hovered(bool) : the pointer or the focus came or went
+    hovered(bool) : the pointer came, or it went or took hold
     """
 
     previewed = Signal(float)
@@ -149,6 +149,7 @@ class ActivationSlider(QAbstractSlider):
         """Take hold; the right button resets, or cancels a drag that is under way."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._drag = Drag(event.position().x(), self._weights, self.weight)
+            self.hovered.emit(False)
         elif event.button() == Qt.MouseButton.RightButton and self._drag is not None:
             self.cancel()
         elif event.button() == Qt.MouseButton.RightButton:
@@ -225,16 +226,10 @@ class ActivationSlider(QAbstractSlider):
         super().leaveEvent(event)
         self.hovered.emit(False)
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        """Say that the keyboard came."""
-        super().focusInEvent(event)
-        self.hovered.emit(True)
-
     def focusOutEvent(self, event: QFocusEvent) -> None:
         """Finish what the keys began."""
         super().focusOutEvent(event)
         self._finish_steps()
-        self.hovered.emit(False)
 
     def sizeHint(self) -> QSize:
         """One row, wide enough for a short name."""

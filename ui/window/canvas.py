@@ -5,7 +5,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
 
@@ -50,6 +51,11 @@ class Canvas(QtInteractor):
         """What pyvista calls after every change: a frame is asked for, not drawn at once."""
         self._rendered = True
         self.ask_frame()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Tell VTK of the Alt key too, which its Qt widget leaves out."""
+        self.iren.interactor.SetAltKey(bool(event.modifiers() & Qt.KeyboardModifier.AltModifier))
+        super().mousePressEvent(event)
 
     def paintGL(self) -> None:
         """Bring the scene up to date and draw it."""

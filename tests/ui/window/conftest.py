@@ -1,0 +1,117 @@
+"""The editor on a shipped face, solved once for all tests."""
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from app.document import Document
+from app.jobs import Solve
+from app.settings import UserSettings
+from facemodel.project import Project, Settings
+from facemodel.projects import new_project
+from facemodel.solve import Progress, Solution, solve_project
+from ui.theme.apply import apply_theme
+from ui.theme.roles import DARK
+from ui.window.main import follow_theme, make_window
+from ui.window.main_window import MainWindow
+
+
+@pytest.fixture(scope="session")
+def project() -> Project:
+    """Return the default face, sampled coarsely so that frames are quick."""
+    return replace(new_project(), settings=Settings(element="hct9", density=1))
+
+
+@pytest.fixture(scope="session")
+def solution(project: Project) -> Solution:
+    return solve_project(project)
+
+
+@pytest.fixture
+def document(project: Project) -> Document:
+    return Document(project)
+
+
+@pytest.fixture
+def settings(tmp_path: Path, qapp: QApplication) -> Iterator[UserSettings]:
+    settings = UserSettings(tmp_path / "preferences.json")
+    follow_theme(qapp, settings)
+    yield settings
+    apply_theme(qapp, DARK)
+
+
+@pytest.fixture
+def open_window(qtbot, settings: UserSettings, solution: Solution) -> Iterator[Callable[..., MainWindow]]:
+    """Open a window on a document; at the end it is closed without a question."""
+    opened: list[MainWindow] = []
+
+    def known(_project: Project, progress: Progress) -> Solution:
+        progress("Read from the cache", 1.0)
+        return solution
+
+    def open_(document: Document, solve: Solve = known, wait: bool = True) -> MainWindow:
+        window = make_window(document, settings, solve)
+        opened.append(window)
+        window.show()
+        qtbot.waitExposed(window)
+        window.activateWindow()
+        if wait:
+            qtbot.waitUntil(lambda: document.solution is not None, timeout=20_000)
+            qtbot.waitUntil(lambda: window.viewport.canvas.frames > 0, timeout=20_000)
+        return window
+
+    yield open_
+    for window in opened:
+        window.context.document._saved = window.context.document.project
+        window.close()
+        window.deleteLater()
+    QApplication.processEvents()
+
+
+@pytest.fixture
+def window(open_window: Callable[..., MainWindow], document: Document) -> MainWindow:
+    return open_window(document)
+
+
+@pytest.fixture
+def answer(qtbot) -> Iterator[Callable[..., list[str]]]:
+    """Answer the questions that come, one button each; the list that is returned fills with what was said."""
+    timers: list[QTimer] = []
+
+    def expect(*buttons: QMessageBox.StandardButton) -> list[str]:
+        said: list[str] = []
+        left = list(buttons)
+
+        def look() -> None:
+            box = QApplication.activeModalWidget()
+            if isinstance(box, QMessageBox) and left:
+                said.append(box.text())
+                box.button(left.pop(0)).click()
+
+        timer = QTimer()
+        timer.timeout.connect(look)
+        timer.start(20)
+        timers.append(timer)
+        return said
+
+    yield expect
+    for timer in timers:
+        timer.stop()
+
+
+@pytest.fixture
+def slow() -> Solve:
+    """Solve for ever, but stop when asked to."""
+
+    def solve(_project: Project, progress: Progress) -> Solution:
+        for step in range(10_000):
+            progress(f"Step {step}", min(0.9, step / 100))
+            time.sleep(0.01)
+        raise AssertionError("Nobody cancelled.")
+
+    return solve

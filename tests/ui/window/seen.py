@@ -1,0 +1,29 @@
+"""What is drawn in a window."""
+
+import numpy as np
+from PySide6.QtTest import QTest
+
+from ui.window.main_window import MainWindow
+
+
+def points(window: MainWindow) -> np.ndarray:
+    """Return the drawn points of the skin after the next frame."""
+    picture(window)
+    return window.viewport.scene.figure.posed.points.copy()
+
+
+def picture(window: MainWindow) -> np.ndarray:
+    """Return what is seen in the viewport after the next frame."""
+    canvas = window.viewport.canvas
+    before = canvas.frames
+    canvas.ask_frame()
+    for _ in range(200):
+        QTest.qWait(10)
+        if canvas.frames > before:
+            break
+    return canvas.screenshot(return_img=True).astype(int)
+
+
+def differs(one: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two pictures differ by more than a few stray pixels."""
+    return bool((np.abs(one - other).max(axis=-1) > 8).mean() > 0.0003)

@@ -1,0 +1,97 @@
+"""Turning, switching, pointing."""
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMessageBox
+
+from tests.ui.hands import enter, leave
+from tests.ui.window.seen import differs, picture
+
+Button = QMessageBox.StandardButton
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+SMILE = 12
+
+
+def test_a_right_drag_turns_the_head_and_a_key_brings_the_front_back(window):
+    QTest.keyClick(window, Qt.Key.Key_1)
+    front = picture(window)
+    canvas = window.viewport.canvas
+    right = Qt.MouseButton.RightButton
+    QTest.mousePress(canvas, right, pos=QPoint(300, 300))
+    QTest.mouseMove(canvas, QPoint(380, 310))
+    QTest.mouseRelease(canvas, right, pos=QPoint(380, 310))
+    assert window.context.view.state.view == "free"
+    assert differs(picture(window), front)
+    QTest.keyClick(window, Qt.Key.Key_1)
+    assert not differs(picture(window), front)
+
+
+def test_the_palette_finds_the_skull_and_shows_it(window):
+    before = picture(window)
+    QTest.keyClick(window, Qt.Key.Key_P, CTRL | SHIFT)
+    assert window.palette_box.isVisible()
+    QTest.keyClicks(window.palette_box.line, "skull")
+    QTest.keyClick(window.palette_box.line, Qt.Key.Key_Return)
+    assert window.context.view.state.skull
+    assert window.binding.qt["view.skull"].isChecked()
+    assert differs(picture(window), before)
+
+
+def test_an_expression_typed_into_the_palette_is_shown(window, document):
+    window.palette_box.open_palette()
+    QTest.keyClicks(window.palette_box.line, "12=0.5 26=40%")
+    QTest.keyClick(window.palette_box.line, Qt.Key.Key_Return)
+    assert {name: w for name, w in document.shown.items() if w} == {"12L": 0.5, "12R": 0.5, "26": 0.4}
+
+
+@pytest.mark.parametrize("overlay", ["skull", "muscles", "supports", "wireframe"])
+def test_a_switch_of_the_toolbar_is_seen_and_unseen(window, overlay):
+    before = picture(window)
+    button = window.strip.widgetForAction(window.binding.qt[f"view.{overlay}"])
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert differs(picture(window), before)
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert not differs(picture(window), before)
+
+
+def test_influence_asks_for_a_muscle_and_shows_the_one_chosen(window, project):
+    QTest.keyClick(window, Qt.Key.Key_I)
+    assert window.docks["muscles"].isVisible()
+    before = picture(window)
+    window.muscles.list.setCurrentIndex(window.muscles.list.model().index(3, 0))
+    assert window.context.view.state.muscle == project.muscles[3].key
+    assert differs(picture(window), before)
+
+
+def test_a_bar_under_the_pointer_lets_its_muscles_glow(window):
+    before = picture(window)
+    slider = window.expression.rows[SMILE].slider
+    enter(slider)
+    assert differs(picture(window), before)
+    leave(slider)
+    assert not differs(picture(window), before)
+
+
+def test_the_face_under_the_pointer_names_its_muscle_and_a_click_selects_it(window, qtbot, project):
+    QTest.keyClick(window, Qt.Key.Key_1)
+    picture(window)
+    canvas = window.viewport.canvas
+    cheek = QPoint(round(canvas.width() * 0.56), round(canvas.height() * 0.55))
+    QTest.mouseMove(canvas, cheek)
+    qtbot.waitUntil(lambda: window.viewport.pointer.isVisible(), timeout=3000)
+    title = window.viewport.pointer.text().split(",")[0]
+    assert title in {muscle.title for muscle in project.muscles}
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=cheek)
+    assert window.context.view.state.muscle in {m.key for m in project.muscles if m.title == title}
+
+
+def test_the_turntable_turns_until_it_is_stopped(window):
+    QTest.keyClick(window, Qt.Key.Key_T)
+    one = picture(window)
+    QTest.qWait(300)
+    assert differs(picture(window), one)
+    QTest.keyClick(window, Qt.Key.Key_T)
+    still = picture(window)
+    QTest.qWait(150)
+    assert not differs(picture(window), still)

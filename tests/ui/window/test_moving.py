@@ -1,0 +1,74 @@
+"""A hand on the panel, and what the face does."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMessageBox
+
+from tests.ui.hands import drag
+from tests.ui.window.seen import differs, picture, points
+
+Button = QMessageBox.StandardButton
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+SMILE = 12
+
+
+def test_a_drag_moves_skin_and_picture_and_is_one_step(window, document):
+    rest, before = points(window), picture(window)
+    drag(window.expression.rows[SMILE].slider, 0.1, 0.9)
+    moved = points(window)
+    assert np.linalg.norm(moved - rest, axis=1).max() > 5.0
+    assert differs(picture(window), before)
+    assert document.shown["12L"] == document.shown["12R"] == pytest.approx(0.8, abs=0.02)
+    assert document.history.done == ("Lip corner puller",)
+
+    QTest.keyClick(window, Qt.Key.Key_Z, CTRL)
+    assert np.allclose(points(window), rest, atol=1e-4)
+    assert not differs(picture(window), before)
+    QTest.keyClick(window, Qt.Key.Key_Z, CTRL | SHIFT)
+    assert np.allclose(points(window), moved, atol=1e-4)
+
+
+def test_escape_in_a_drag_restores_the_face(window, document):
+    rest = points(window)
+    slider = window.expression.rows[SMILE].slider
+    drag(slider, 0.1, 0.9, release=False)
+    assert np.abs(points(window) - rest).max() > 5.0
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    assert np.allclose(points(window), rest, atol=1e-4)
+    assert document.history.done == ()
+
+
+def test_many_moves_are_few_frames(window):
+    canvas = window.viewport.canvas
+    picture(window)
+    before = canvas.frames
+    drag(window.expression.rows[SMILE].slider, 0.1, 0.9, steps=200)
+    QTest.qWait(100)
+    assert 1 <= canvas.frames - before < 50
+
+
+def test_a_click_on_an_emotion_shows_it(window, document):
+    rest = points(window)
+    QTest.mouseClick(window.expression.emotions.buttons["surprise"], Qt.MouseButton.LeftButton)
+    assert document.shown["26"] == 1.0
+    assert np.abs(points(window) - rest).max() > 5.0
+
+
+def test_one_side_moves_alone(window, project):
+    rest = points(window)
+    row = window.expression.rows[SMILE]
+    QTest.mouseClick(row.split, Qt.MouseButton.LeftButton)
+    drag(row.sides[0], 0.05, 0.95)
+    moved = np.linalg.norm(points(window) - rest, axis=1)
+    left = rest[:, 0] > 10
+    assert moved[left].max() > 5 * moved[rest[:, 0] < -10].max()
+
+
+def test_the_exaggeration_reaches_the_skin(window, document):
+    rest = points(window)
+    document.set_weights({"12": 1.0})
+    full = np.linalg.norm(points(window) - rest, axis=1).max()
+    drag(window.expression.rows[SMILE].slider, 0.0, 0.6, CTRL)
+    assert np.linalg.norm(points(window) - rest, axis=1).max() > 1.3 * full

@@ -1,0 +1,81 @@
+"""Solving in the background, as seen from the window."""
+
+import threading
+
+import numpy as np
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMessageBox
+
+from facemodel.errors import FaceError
+from tests.ui.hands import drag
+from tests.ui.window.seen import picture
+
+
+def test_the_window_lives_and_the_face_stands_while_it_is_solved(open_window, document, slow, qtbot):
+    window = open_window(document, slow, wait=False)
+    ticks: list[int] = []
+    timer = QTimer()
+    timer.timeout.connect(lambda: ticks.append(1))
+    timer.start(10)
+    qtbot.waitUntil(lambda: window.status.bar.isVisible() and window.status.bar.value() > 50, timeout=20_000)
+    qtbot.waitUntil(lambda: len(ticks) > 5, timeout=5000)
+    assert window.viewport.scene.figure is not None
+    assert picture(window).std() > 10
+    drag(window.expression.rows[17].slider, 0.0, 0.5)
+    assert document.shown["17"] > 0.4
+    assert "0/" in window.status.state.text()
+
+
+def test_cancel_stops_the_solver_and_keeps_the_face(open_window, document, qtbot):
+    stopped = threading.Event()
+
+    def solve(project, progress):
+        try:
+            while True:
+                progress("Factorising", 0.4)
+                QTest.qSleep(5)
+        finally:
+            stopped.set()
+
+    window = open_window(document, solve, wait=False)
+    qtbot.waitUntil(window.status.cancel.isVisible, timeout=20_000)
+    QTest.mouseClick(window.status.cancel, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(stopped.is_set, timeout=5000)
+    qtbot.waitUntil(lambda: not window.status.bar.isVisible(), timeout=5000)
+    assert window.viewport.scene.figure is not None
+    assert document.solution is None
+    assert window.binding.qt["solve.now"].isEnabled() or window.context.solving.wanted
+
+
+def test_a_face_that_cannot_be_solved_is_one_sentence_and_stays(open_window, document, answer, qtbot):
+    def solve(project, progress):
+        progress("Assembling", 0.1)
+        raise FaceError("The face is loose around skin vertex 7: nothing holds it there.")
+
+    said = answer(QMessageBox.StandardButton.Ok)
+    window = open_window(document, solve, wait=False)
+    qtbot.waitUntil(lambda: bool(said), timeout=20_000)
+    assert said == ["The face is loose around skin vertex 7: nothing holds it there."]
+    assert window.viewport.scene.figure is not None
+
+
+def test_the_solution_takes_over_what_was_posed_meanwhile(open_window, document, solution, qtbot):
+    go = threading.Event()
+
+    def solve(project, progress):
+        progress("Assembling", 0.1)
+        go.wait(20)
+        return solution
+
+    window = open_window(document, solve, wait=False)
+    qtbot.waitUntil(lambda: window.viewport.scene.figure is not None, timeout=20_000)
+    document.set_weights({"26": 1.0})
+    picture(window)
+    at_rest = window.viewport.scene.figure.posed.points.copy()
+    go.set()
+    qtbot.waitUntil(lambda: document.solution is not None, timeout=20_000)
+    picture(window)
+    open_jaw = window.viewport.scene.figure.posed.points
+    assert np.linalg.norm(open_jaw - at_rest, axis=1).max() > 5.0
+    assert f"solved {len(solution.basis.names)}/{len(solution.basis.names)}" in window.status.state.text()

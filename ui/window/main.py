@@ -1,0 +1,85 @@
+"""Start the editor: the one place where all parts are made and tied together."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QApplication
+
+from app.document import Document
+from app.jobs import Solve, SolveJob
+from app.preferences import Preferences
+from app.settings import UserSettings
+from app.solving import Solving
+from app.view import View
+from facemodel.cache import solve_cached
+from facemodel.errors import RisoriusError
+from facemodel.io.project_file import load_project
+from facemodel.projects import new_project
+from ui.theme.apply import apply_theme
+from ui.theme.roles import THEMES
+from ui.window.delivery import UiThread
+from ui.window.main_window import MainWindow
+
+
+def run(path: Path | None = None) -> int:
+    """Open the editor, on a project or on the default face, and stay until it is closed.
+
+    Returns
+    -------
+    status : what the process should end with
+    """
+    app = make_application()
+    settings = UserSettings()
+    follow_theme(app, settings)
+    document, complaint = first_document(path)
+    window = make_window(document, settings)
+    window.show()
+    for sentence in filter(None, (complaint, settings.notice)):
+        window.context.host.show_error(sentence)
+    return app.exec()
+
+
+def make_application() -> QApplication:
+    """The one application object of the process."""
+    existing = QApplication.instance()
+    if isinstance(existing, QApplication):
+        return existing
+    QCoreApplication.setApplicationName("risorius")
+    QCoreApplication.setOrganizationName("risorius")
+    app = QApplication(sys.argv[:1])
+    app.setApplicationDisplayName("Risorius")
+    return app
+
+
+def follow_theme(app: QApplication, settings: UserSettings) -> None:
+    """Dress the application as its user likes it, now and whenever that changes."""
+
+    def dress(now: Preferences, before: Preferences | None = None) -> None:
+        if before is None or now.theme != before.theme:
+            apply_theme(app, THEMES[now.theme])
+
+    dress(settings.preferences)
+    settings.changed.connect(dress)
+
+
+def first_document(path: Path | None) -> tuple[Document, str]:
+    """The document to start with, and a sentence for the user if ``path`` cannot be opened (else empty)."""
+    if path is None:
+        return Document(new_project()), ""
+    try:
+        return Document(load_project(path), path), ""
+    except RisoriusError as error:
+        return Document(new_project()), str(error)
+
+
+def make_window(document: Document, settings: UserSettings, solve: Solve = solve_cached) -> MainWindow:
+    """A window on a document, which ``solve`` solves in the background from now on."""
+    thread = UiThread()
+    solving = Solving(document, SolveJob(solve, thread.deliver))
+    window = MainWindow(document, View(), settings, solving)
+    thread.setParent(window)
+    solving.solve()
+    return window

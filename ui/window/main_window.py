@@ -1,0 +1,189 @@
+"""The main window: menus, tools, the face in the middle, docks around it, a line at the bottom."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QResizeEvent
+from PySide6.QtWidgets import QMainWindow
+
+from app.actions.action import Action, perform
+from app.actions.context import Context
+from app.actions.files import SUFFIX, may_leave, open_path
+from app.actions.table import all_actions
+from app.document import Document
+from app.settings import UserSettings
+from app.solving import Solving
+from app.view import View
+from app.view_state import ViewState
+from facemodel.muscles import Muscle
+from ui.panels.expression_panel import ExpressionPanel
+from ui.panels.face_information import FaceInformation
+from ui.panels.muscle_list import MuscleList, muscle_label
+from ui.widgets.command_palette import CommandPalette
+from ui.window.action_binding import ActionBinding
+from ui.window.dock import Dock
+from ui.window.first_hints import FirstHints
+from ui.window.host import WindowHost
+from ui.window.layout import Layout, layout_from, layout_text
+from ui.window.menus import fill_menus
+from ui.window.palette_entries import palette_entries
+from ui.window.solve_progress import SolveProgress
+from ui.window.status_line import StatusLine
+from ui.window.tool_strip import ToolStrip
+from ui.window.viewport_widget import Viewport
+
+LEAST = QSize(1024, 600)
+USUAL = QSize(1440, 900)
+SHARE_OF_SCREEN = 0.94
+
+IDLE_HINT = "Drag a bar to move the face · right-drag turns the head · wheel zooms · Ctrl+Shift+P finds everything"
+
+
+class MainWindow(QMainWindow):
+    """Puts the parts together and shows them; what they do is theirs.
+
+    Parameters
+    ----------
+    document, view, settings, solving : what is shown and changed; they outlive the window
+    """
+
+    def __init__(self, document: Document, view: View, settings: UserSettings, solving: Solving) -> None:
+        super().__init__()
+        self.setAcceptDrops(True)
+        self.setMinimumSize(LEAST)
+        self.setDockOptions(QMainWindow.DockOption.AllowTabbedDocks | QMainWindow.DockOption.AnimatedDocks)
+        self._folded: frozenset[str] = frozenset()
+        self.context = Context(document, view, settings, solving, WindowHost(self))
+        self.binding = ActionBinding(self, self.context, all_actions)
+        self.viewport = Viewport(document, view, self)
+        self.setCentralWidget(self.viewport)
+        self.expression = ExpressionPanel(document, view)
+        self.muscles = MuscleList(document, view)
+        self.docks = {
+            "expression": Dock("expression", "Expression", self.expression),
+            "muscles": Dock("muscles", "Muscles", self.muscles),
+            "information": Dock("information", "Face information", FaceInformation(document)),
+        }
+        self.strip = ToolStrip(self.binding)
+        self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.strip)
+        self.status = StatusLine(self)
+        self.setStatusBar(self.status)
+        self.palette_box = CommandPalette(self, lambda query: palette_entries(query, self.context, self.binding))
+        self.progress = SolveProgress(self.context, self.status, self.viewport)
+        self.hints = FirstHints(self.context, self.viewport)
+        self._place_docks()
+        self._usual = self.saveState()
+        self._connect()
+        self._refill_menus()
+        self._retitle()
+        self.status.show_hint(IDLE_HINT)
+        self._restore()
+
+    def reset_layout(self) -> None:
+        """Put all docks and groups where they were at the first start."""
+        for dock in self.docks.values():
+            dock.setFloating(False)
+        self.restoreState(self._usual)
+        self._fold(frozenset())
+
+    def show_dock(self, name: str) -> None:
+        """Bring a dock to the front."""
+        self.docks[name].show()
+        self.docks[name].raise_()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask about unsaved changes, remember the layout, stop what is being solved."""
+        if not may_leave(self.context):
+            event.ignore()
+            return
+        self.context.settings.change(
+            geometry=bytes(self.saveGeometry().toBase64().data()).decode(),
+            layout=layout_text(Layout(bytes(self.saveState().data()), self._folded)),
+        )
+        self.context.solving.job.close()
+        self.viewport.close()
+        event.accept()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the palette in the middle."""
+        super().resizeEvent(event)
+        if self.palette_box.isVisible():
+            self.palette_box.place()
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Welcome projects."""
+        if _dropped(event):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Open the first project that was dropped."""
+        paths = _dropped(event)
+        if paths:
+            event.acceptProposedAction()
+            open_path(self.context, paths[0])
+
+    def _place_docks(self) -> None:
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.docks["expression"])
+        for name in ("muscles", "information"):
+            self.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, self.docks[name])
+            self.docks[name].hide()
+        self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
+
+    def _connect(self) -> None:
+        document = self.context.document
+        document.saved_changed.connect(self._retitle)
+        document.project_changed.connect(self._retitle)
+        self.context.view.changed.connect(self._follow_view)
+        self.binding.table_changed.connect(self._refill_menus)
+        self.palette_box.chosen.connect(self._run)
+        self.expression.folds_changed.connect(self._note_folds)
+        self.expression.muscles_hovered.connect(self.viewport.glow)
+        self.viewport.muscle_hovered.connect(self._name_muscle)
+
+    def _restore(self) -> None:
+        preferences = self.context.settings.preferences
+        geometry = QByteArray.fromBase64(preferences.geometry.encode())
+        if geometry.isEmpty() or not self.restoreGeometry(geometry):
+            room = QGuiApplication.primaryScreen().availableSize() * SHARE_OF_SCREEN
+            self.resize(USUAL.boundedTo(room).expandedTo(LEAST))
+        layout = layout_from(preferences.layout)
+        if layout.docks:
+            self.restoreState(QByteArray(layout.docks))
+        self._fold(layout.folded)
+
+    def _fold(self, groups: frozenset[str]) -> None:
+        self._folded = groups
+        self.expression.fold(groups)
+
+    def _note_folds(self, groups: frozenset[str]) -> None:
+        self._folded = groups
+
+    def _refill_menus(self) -> None:
+        fill_menus(self.menuBar(), self.binding, [dock.toggleViewAction() for dock in self.docks.values()])
+
+    def _retitle(self, _now: object = None) -> None:
+        document = self.context.document
+        self.setWindowTitle(f"{document.name}[*] — Risorius")
+        self.setWindowModified(document.dirty)
+        self.setWindowFilePath(str(document.path or ""))
+
+    def _run(self, action: Action) -> None:
+        perform(action, self.context)
+        self.binding.refresh()
+
+    def _follow_view(self, now: ViewState, before: ViewState) -> None:
+        if now.influence and not before.influence and not now.muscle:
+            self.show_dock("muscles")
+            self.status.notify("Choose the muscle whose influence is to be shown.")
+
+    def _name_muscle(self, muscle: Muscle | None) -> None:
+        self.status.show_hint(IDLE_HINT if muscle is None else f"{muscle_label(muscle)} · a click selects it")
+
+
+def _dropped(event: QDropEvent) -> list[Path]:
+    """The projects that a drag carries."""
+    urls = event.mimeData().urls()
+    paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
+    return [path for path in paths if path.suffix.lower() == SUFFIX]

@@ -1,0 +1,216 @@
+"""The viewport: the scene on its canvas, following document and view, with what lies over the picture."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+from PIL import Image
+from PySide6.QtCore import QEvent, QPoint, QTimer, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from app.document import Document
+from app.view import View
+from app.view_state import ViewName, ViewState
+from facemodel.actions import Expression
+from facemodel.face import Face
+from facemodel.io.disk import replacing
+from facemodel.muscles import Muscle
+from facemodel.project import Project
+from facemodel.solve import Solution
+from ui.panels.muscle_list import muscle_label
+from ui.theme.apply import current_theme
+from ui.theme.metrics import GRID
+from ui.viewport.interaction import CameraHands
+from ui.viewport.scene import Scene
+from ui.widgets.pointer_label import PointerLabel
+from ui.window.canvas import FRAME, Canvas
+from ui.window.face_pointer import FacePointer
+
+TURNTABLE = 24.0
+"""Degrees per second: once round in a quarter of a minute."""
+
+REPORT = 0.25
+"""Seconds between two reports of the time per frame; a number that changes faster cannot be read."""
+
+
+class Viewport(QWidget):
+    """Draws what the document shows, once per frame.
+
+    Signals
+    -------
+    muscle_hovered(object) : the Muscle under the pointer, or None
+    timed() : `frame_time` is fresh
+
+    Attributes
+    ----------
+    frame_time : milliseconds from the last change of the expression to its picture
+    """
+
+    muscle_hovered = Signal(object)
+    timed = Signal()
+
+    def __init__(self, document: Document, view: View, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._view = view
+        self._shown: tuple[Face, Solution | None] | None = None
+        self._pose_due = False
+        self._changed_at: float | None = None
+        self._reported_at = 0.0
+        self._over: list[QWidget] = []
+        self.frame_time = 0.0
+        self.canvas = Canvas(self)
+        self.scene = Scene(self.canvas, current_theme().name)
+        self.scene.apply(view.state)
+        self.pointer = PointerLabel(self)
+        self.face_pointer = FacePointer(self.canvas, self.scene)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.canvas)
+        self._turntable = QTimer(self, interval=round(1000 * FRAME))
+        self._turned_at = 0.0
+        self._connect()
+
+    def show_document(self) -> None:
+        """Draw the document's face, with its solution if there is one; nothing if that is what is drawn."""
+        project, solution = self._document.project, self._document.solution
+        if self._shown is not None and self._shown[0] is project.face and self._shown[1] is solution:
+            self.scene.update_project(project)
+        else:
+            self._shown = (project.face, solution)
+            self.scene.show(project, solution)
+        self._pose_due = True
+        self.canvas.ask_frame()
+
+    def glow(self, muscles: frozenset[str]) -> None:
+        """Let the skin glow where some muscles, by key, pull."""
+        self.scene.glow(muscles)
+        self.canvas.ask_frame()
+
+    def save_picture(self, path: Path) -> None:
+        """Write what is seen as a PNG, in the pixels of the screen.
+
+        Raises
+        ------
+        ProjectError
+            If it cannot be written; what was there before stays.
+        """
+        self._before_frame()
+        picture = Image.fromarray(self.canvas.screenshot(return_img=True))
+        with replacing(path) as stream:
+            picture.save(stream, "PNG")
+
+    def frame_head(self) -> None:
+        """Show the whole head from where one looks."""
+        state = self._view.state
+        self._view.look_from("three-quarter" if state.view == "free" else state.view)
+
+    def frame_selection(self) -> None:
+        """Bring the selected muscle, or else the face, near."""
+        if self._view.state.muscle:
+            self.scene.frame_muscle(self._view.state.muscle)
+            self._moved_by_hand()
+        else:
+            self.frame_head()
+
+    def lay_over(self, card: QWidget) -> None:
+        """Put a card over the lower left corner of the picture."""
+        self._over.append(card)
+        card.setParent(self)
+        card.show()
+        card.raise_()
+        self._place_cards()
+
+    def take_off(self, card: QWidget) -> None:
+        """Remove a card for good."""
+        self._over.remove(card)
+        card.hide()
+        card.deleteLater()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the cards in their corner."""
+        super().resizeEvent(event)
+        self._place_cards()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Hang the backdrop of another theme."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "scene"):
+            self.scene.dress(current_theme().name)
+            self.canvas.ask_frame()
+
+    def _connect(self) -> None:
+        self.canvas.before_frame.append(self._before_frame)
+        self.canvas.drawn.connect(self._note_time)
+        self._document.project_changed.connect(self._show_anew)
+        self._document.solution_changed.connect(self._show_anew)
+        self._document.expression_changed.connect(self._pose)
+        self._view.changed.connect(self._apply)
+        self._view.camera_asked.connect(self._look_from)
+        self._turntable.timeout.connect(self._turn)
+        self.face_pointer.pointed.connect(self._name)
+        self.face_pointer.clicked.connect(lambda muscle: self._view.change(muscle=muscle.key))
+        self._hands = CameraHands(
+            self.canvas.iren.interactor, self.canvas.renderer, lambda: self.scene.pivot, self._moved_by_hand
+        )
+
+    def _show_anew(self, _now: Project | Solution | None) -> None:
+        if self._shown is not None or self._document.solution is not None:
+            self.show_document()
+
+    def _pose(self, _expression: Expression) -> None:
+        self._pose_due = True
+        if self._changed_at is None:
+            self._changed_at = time.perf_counter()
+        self.canvas.ask_frame()
+
+    def _before_frame(self) -> None:
+        """Pose once per frame, however often the expression changed since the last one."""
+        if self._pose_due:
+            self._pose_due = False
+            self.scene.pose(self._document.shown)
+        self.scene.before_frame()
+
+    def _note_time(self) -> None:
+        if self._changed_at is None:
+            return
+        now = time.perf_counter()
+        self.frame_time = 1000 * (now - self._changed_at)
+        self._changed_at = None
+        if now - self._reported_at > REPORT:
+            self._reported_at = now
+            self.timed.emit()
+
+    def _apply(self, now: ViewState, before: ViewState) -> None:
+        self.scene.apply(now)
+        if now.turntable and not before.turntable:
+            self._turned_at = time.perf_counter()
+            self._turntable.start()
+        elif not now.turntable:
+            self._turntable.stop()
+        self.canvas.ask_frame()
+
+    def _look_from(self, view: ViewName) -> None:
+        self.scene.look_from(view)
+        self.canvas.ask_frame()
+
+    def _turn(self) -> None:
+        now = time.perf_counter()
+        self.scene.turn(TURNTABLE * (now - self._turned_at))
+        self._turned_at = now
+        self.canvas.ask_frame()
+
+    def _moved_by_hand(self) -> None:
+        self._view.change(view="free")
+        self.canvas.ask_frame()
+
+    def _name(self, muscle: Muscle | None, place: QPoint) -> None:
+        self.pointer.say("" if muscle is None else muscle_label(muscle), place)
+        self.muscle_hovered.emit(muscle)
+
+    def _place_cards(self) -> None:
+        for card in self._over:
+            card.adjustSize()
+            card.move(2 * GRID, self.height() - card.height() - 2 * GRID)
