@@ -10,6 +10,7 @@ from pathlib import Path
 from facemodel.errors import ProjectError
 
 RESTORE = "open a backup or an earlier copy instead"
+TAKE_BACK = "take the last change back and save again"
 
 REMEDIES: Mapping[int, str] = {
     errno.ENOSPC: "the disk is full; free some space or choose another disk",
@@ -52,9 +53,11 @@ def disk_sentence(path: Path, failed: str, error: OSError | ValueError) -> str:
 
 
 @contextmanager
-def naming(path: Path, failed: str) -> Iterator[None]:
-    """Turn a `DamageError` into a `ProjectError` that names the file."""
+def naming(path: Path, failed: str, remedy: str = "") -> Iterator[None]:
+    """Turn a `DamageError` into a `ProjectError` that names the file, and another remedy where one is given."""
     try:
         yield
     except DamageError as damage:
-        raise ProjectError(f"“{path}” cannot be {failed}: {damage.where} {damage.what}; {damage.remedy}.") from damage
+        raise ProjectError(
+            f"“{path}” cannot be {failed}: {damage.where} {damage.what}; {remedy or damage.remedy}."
+        ) from damage

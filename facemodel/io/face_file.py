@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from facemodel.face import Face
 from facemodel.io.archive import LARGEST_ARCHIVE, Archive, pack, unpack
-from facemodel.io.damage import naming
+from facemodel.io.damage import TAKE_BACK, naming
 from facemodel.io.disk import read_file, replacing
 from facemodel.io.face_arrays import face_arrays, face_json, face_of
 from facemodel.io.schema import FACE_FORMAT, SCHEMA, FaceDocument, parse
@@ -28,7 +28,7 @@ def write_face(face: Face, path: Path, *, single: bool = False) -> None:
     ProjectError
         If the face is not valid or the file cannot be written; a previous file stays as it was.
     """
-    with naming(path, "saved"):
+    with naming(path, "saved", TAKE_BACK):
         data = _face_bytes(face, single)
         _face_of(data)
     with replacing(path) as stream:

@@ -8,7 +8,7 @@ from pathlib import Path
 from facemodel.actions import field_names, resolve
 from facemodel.errors import UnknownNameError
 from facemodel.io.archive import LARGEST_ARCHIVE, Archive, pack, unpack
-from facemodel.io.damage import DamageError, naming
+from facemodel.io.damage import TAKE_BACK, DamageError, naming
 from facemodel.io.disk import read_file, replacing
 from facemodel.io.face_arrays import face_arrays, face_json, face_of
 from facemodel.io.records import (
@@ -38,7 +38,7 @@ def save_project(project: Project, path: Path) -> None:
     ProjectError
         If the project could not be opened again, or the file cannot be written; a previous file stays.
     """
-    with naming(path, "saved"):
+    with naming(path, "saved", TAKE_BACK):
         data = project_bytes(project)
         project_of(data)
     with replacing(path) as stream:

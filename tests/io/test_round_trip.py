@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from facemodel.actions import ActionUnit, Emotion, JawMotion
-from facemodel.io.damage import DamageError
+from facemodel.errors import ProjectError
 from facemodel.io.face_file import read_face, write_face
 from facemodel.io.project_file import load_project, project_bytes, project_of, save_project
 from facemodel.project import Project, Settings
@@ -129,8 +129,12 @@ def test_a_face_comes_back(tmp_path: Path, single: bool) -> None:
         ({"emotions": (Emotion("joy"), Emotion("Joy"))}, "emotions"),
     ],
 )
-def test_what_could_not_be_opened_again_is_not_saved(change: dict[str, object], place: str) -> None:
-    project = dataclasses.replace(small_project(), **change)
-    with pytest.raises(DamageError) as caught:
-        project_of(project_bytes(project))
-    assert place in caught.value.where
+def test_what_could_not_be_opened_again_is_not_saved(tmp_path: Path, change: dict[str, object], place: str) -> None:
+    path = tmp_path / "smile.risorius"
+    save_project(small_project(), path)
+    before = path.read_bytes()
+    with pytest.raises(ProjectError) as caught:
+        save_project(dataclasses.replace(small_project(), **change), path)
+    assert f"cannot be saved: project.json, {place}" in str(caught.value)
+    assert "take the last change back" in str(caught.value)
+    assert path.read_bytes() == before
