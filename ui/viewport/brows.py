@@ -11,10 +11,11 @@ from scipy.interpolate import PchipInterpolator
 from facemodel.face import Face
 from facemodel.mesh import Mesh
 from fem.types import FloatArray
+from ui.viewport.complexion import smooth
 
-HAIRS = 430
+HAIRS = 560
 """Per brow; enough to read as hair from near and as a band from afar."""
-STEPS = 6
+STEPS = 8
 """Points of one stroke."""
 HALF_WIDTH = np.array([0.0, 0.9, 3.1, 3.7, 3.2, 2.2, 1.2, 0.3])
 ALONG = np.array([-0.02, 0.0, 0.10, 0.25, 0.50, 0.75, 0.92, 1.02])
@@ -70,7 +71,7 @@ def strokes(face: Face, side: str) -> Strokes:
     s = np.sort(random.uniform(0.0, 1.0, HAIRS) ** 0.92)
     t = np.clip(random.normal(0.0, 0.52, HAIRS), -1.0, 1.0)
     lean = np.radians(np.interp(s, *LEAN.T)) + random.normal(0.0, 0.10, HAIRS)
-    lean *= np.where(t > 0, 1.0 - 1.35 * t * np.clip(s * 2.2, 0.0, 1.0), 1.0 + 0.12 * t)
+    lean *= np.where(t > 0, 1.0 - 1.2 * t * smooth(s, 0.05, 0.75), 1.0 + 0.12 * t)
     length = np.interp(s, *LENGTH.T) * random.uniform(0.7, 1.1, HAIRS)
     curl = random.normal(-0.32, 0.12, HAIRS)
 

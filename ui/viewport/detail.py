@@ -17,9 +17,9 @@ from ui.viewport.brows import strokes
 from ui.viewport.complexion import lip_share, openings, rings
 from ui.viewport.surface import ByteArray
 
-PIXELS_PER_MM = 8.0
+PIXELS_PER_MM = 11.0
 """A brow hair is a pixel wide."""
-FINER = 2
+FINER = 3
 """Strokes are drawn this much larger and scaled down, which smooths their edges."""
 LARGEST = 4096
 """Pixels per side that every driver takes."""
@@ -93,14 +93,14 @@ def _brows(face: Face, window: _Window) -> Image.Image:
         local = (pixels - corner) * FINER
         large = Image.new("L", (int(size[0]) * FINER, int(size[1]) * FINER), 0)
         pen = ImageDraw.Draw(large)
-        for path, weight in zip(local, hairs.weight, strict=True):
-            ink = int(255 * weight)
-            points = [tuple(p) for p in path]
+        for k in np.argsort(hairs.weight):
+            ink = int(255 * hairs.weight[k])
+            points = [tuple(p) for p in local[k]]
+            pen.line(points, fill=int(0.8 * ink), width=2)
             pen.line(points[: len(points) * 2 // 3], fill=ink, width=3)
-            pen.line(points, fill=ink, width=2)
         sharp = large.resize((int(size[0]), int(size[1])), Image.Resampling.BOX)
         soft = np.asarray(sharp.filter(ImageFilter.GaussianBlur(1.1 * window.scale)), dtype=float)
-        cover = np.maximum(np.asarray(sharp, dtype=float), np.clip(soft * 1.15, 0, 150))
+        cover = np.maximum(np.asarray(sharp, dtype=float), np.clip(soft * 1.35, 0, 168))
         picture.paste(Image.fromarray(cover.astype(np.uint8)), tuple(int(c) for c in corner))
     return picture
 
@@ -135,7 +135,7 @@ def skin_detail(face: Face) -> Detail:
     blotches = _blotches(random, window.size)
     shade = Image.fromarray(np.clip(NEUTRAL + 3.0 * np.minimum(pores, 0.6) + 4.0 * blotches, 0, 255).astype(np.uint8))
     _lip_lines(face, window, shade)
-    gloss = np.clip(NEUTRAL + 26 * pores + 16 * blotches, 0, 255).astype(np.uint8)
+    gloss = np.clip(NEUTRAL + 17 * pores + 16 * blotches, 0, 255).astype(np.uint8)
     image = np.stack([np.asarray(_brows(face, window)), np.asarray(shade), gloss], axis=2)
     return Detail(_calm_border(image), window.pixels(face.chart) / np.array(window.size))
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from facemodel.superposition import Superposition
@@ -12,7 +11,9 @@ from ui.viewport.eyes import EyeInLids
 from ui.viewport.lashes import ROOT_LIFT, Lashes
 from ui.viewport.lids import lid_line
 from ui.viewport.look import look_of
-from ui.viewport.parts import lining, moved_by, neck_cap, socket, tongue
+from ui.viewport.neck import neck_cap, neck_cut
+from ui.viewport.parts import lining, moved_by, socket, tongue
+from ui.viewport.seams import seam
 from ui.viewport.shading import Ghost
 from ui.viewport.skin import Skin
 from ui.viewport.surface import Surface
@@ -26,6 +27,7 @@ class Figure:
     ----------
     posed : the superposition whose arrays are drawn
     skin : the skin
+    cut : where the neck ends
     """
 
     def __init__(self, posed: Superposition) -> None:
@@ -37,7 +39,10 @@ class Figure:
         self.lashes: list[Lashes] = []
         self._carried: list[Surface] = []
         self._jaw: list[Surface] = []
-        self._cap = neck_cap(face)
+        self._seam = seam(self.skin.surface, display, look.palette)
+        self.cut = neck_cut(face)
+        self.skin.surface.mapper.AddClippingPlane(self.cut.plane)
+        self._cap = neck_cap(self.cut, display)
         self._still: list[Surface] = [self._cap]
         eye_of = {eye.side: eye for eye in face.eyes}
         roots = {eye.side: lid_line(display, eye, ROOT_LIFT) for eye in face.eyes}
@@ -57,8 +62,8 @@ class Figure:
     def ghost(self, ghost: Ghost) -> None:
         """Make the skin solid, or clear; what would hide the bones behind a clear skin goes away with it."""
         self.skin.ghost(ghost)
-        for surface in (*self._carried, self._cap):
-            surface.actor.SetVisibility(ghost is Ghost.SOLID)
+        for actor in (self._seam, self._cap.actor, *(surface.actor for surface in self._carried)):
+            actor.SetVisibility(ghost is Ghost.SOLID)
 
     def follow(self) -> None:
         """Take over what the superposition wrote."""
@@ -76,14 +81,10 @@ class Figure:
     def actors(self) -> Iterator[vtkActor]:
         """All that is drawn; the clear film of the eyes comes last."""
         yield self.skin.surface.actor
+        yield self._seam
         for surface in (*self._still, *self._jaw, *self._carried):
             yield surface.actor
         for lash in self.lashes:
             yield lash.surface.actor
         for eye in self.eyes:
             yield from eye.actors
-
-    @property
-    def points(self) -> int:
-        """Number of points drawn, the skin's included."""
-        return int(np.sum([actor.GetMapper().GetInput().GetNumberOfPoints() for actor in self.actors]))

@@ -10,13 +10,13 @@ from ui.viewport.lids import LidLine
 from ui.viewport.shading import HAIR, apply
 from ui.viewport.surface import Surface
 
-COUNT = {"upper": 84, "lower": 52}
-LENGTH = {"upper": 8.2, "lower": 4.4}
+COUNT = {"upper": 92, "lower": 50}
+LENGTH = {"upper": 7.6, "lower": 3.4}
 """Hairs per lid, and their length in millimetres where they are longest."""
 SEGMENTS = 5
-ROOT_WIDTH = 0.30
+ROOT_WIDTH = {"upper": 0.24, "lower": 0.15}
 """Millimetres; a hair is thinner, but several grow together."""
-ROOT_LIFT = 1.3
+ROOT_LIFT = 0.6
 """Millimetres above the eyeball at which lashes leave the lid."""
 
 
@@ -75,7 +75,7 @@ class _Plan:
             edges = np.flatnonzero((middle[:, 1] >= level) == upper)
             length = np.linalg.norm(margin[following[edges]] - margin[edges], axis=1)
             ends = np.cumsum(length)
-            at = np.sort(random.uniform(0.02, 0.98, COUNT[lid])) * ends[-1]
+            at = (np.arange(COUNT[lid]) + random.uniform(0.1, 0.9, COUNT[lid])) / COUNT[lid] * ends[-1]
             edge = np.searchsorted(ends, at)
             share = 1 - (ends[edge] - at) / length[edge]
             start, stop = edges[edge], following[edges[edge]]
@@ -89,6 +89,7 @@ class _Plan:
         self.sign = np.where(upper_hair, 1.0, -1.0)
         self.spread = (self.s - 0.38) * np.where(upper_hair, 1.25, 0.9) + random.normal(0, 0.09, self.count)
         self.curl = np.where(upper_hair, 1.15, 0.6) * random.uniform(0.8, 1.1, self.count)
+        self.width = np.where(upper_hair, ROOT_WIDTH["upper"], ROOT_WIDTH["lower"])
         self.outward = outward
 
     def grow(self, margin: FloatArray, centre: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -102,7 +103,7 @@ class _Plan:
         t = np.linspace(0, 1, SEGMENTS)[None, :, None]
         size = self.length[:, None, None]
         path = root[:, None] + size * (t * heading[:, None] + 0.5 * self.curl[:, None, None] * t**2 * up[:, None])
-        width = (ROOT_WIDTH * (1 - 0.9 * t**1.5))[..., None] * np.array([-0.5, 0.5])[None, None, :, None]
+        width = (self.width[:, None, None] * (1 - 0.9 * t**1.5))[..., None] * np.array([-0.5, 0.5])[None, None, :, None]
         flat = _unit(np.cross(heading, up))[:, None, None]
         normal = np.broadcast_to(_unit(radial + up)[:, None, None], (self.count, SEGMENTS, 2, 3))
         return path[:, :, None] + width * flat, normal

@@ -8,10 +8,12 @@ import numpy as np
 
 from facemodel.display import DisplaySurface
 from facemodel.face import Eye
-from fem.types import Float32Array, FloatArray, IntArray
+from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
 NEAR = 1.6
 """Radii of the eyeball within which its lids lie."""
+REACH, FOLD = 5, 0.8
+"""Points to both sides that are compared, and how many millimetres farther out one may lie."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,4 +58,13 @@ def lid_line(display: DisplaySurface, eye: Eye, lift: float) -> LidLine:
     places = display.points[crossed[:, 0]] * (1 - share)[:, None] + display.points[crossed[:, 1]] * share[:, None]
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
     order = np.argsort(np.arctan2(places[:, 1] - middle[1], places[:, 0] - middle[0]))
+    order = order[_innermost(np.linalg.norm(places[order] - middle, axis=1))]
     return LidLine(crossed[order, 0], crossed[order, 1], share[order])
+
+
+def _innermost(distance: FloatArray) -> BoolArray:
+    """Which points of a closed line (n,) are not behind a nearer stretch of it: where the lid lies flat on the
+    eyeball, the height is met more than once.
+    """
+    around = np.stack([np.roll(distance, k) for k in range(-REACH, REACH + 1)])
+    return np.asarray(distance < around.min(axis=0) + FOLD)

@@ -32,13 +32,13 @@ class Lamp:
         return float(x), float(y), float(z)
 
 
-KEY = Lamp("key", (-0.55, 0.62, 0.75), (1.18, 1.11, 1.02))
-FILL = Lamp("fill", (0.85, 0.10, 0.60), (0.26, 0.29, 0.34))
-RIM = Lamp("rim", (0.75, 0.45, -0.75), (0.62, 0.68, 0.78))
+KEY = Lamp("key", (-0.55, 0.62, 0.75), (1.26, 1.18, 1.08))
+FILL = Lamp("fill", (0.85, 0.10, 0.60), (0.20, 0.225, 0.265))
+RIM = Lamp("rim", (0.75, 0.45, -0.75), (0.80, 0.88, 1.00))
 LAMPS = (KEY, FILL, RIM)
 
-SKY: Colour = (0.30, 0.31, 0.33)
-GROUND: Colour = (0.17, 0.14, 0.125)
+SKY: Colour = (0.27, 0.28, 0.30)
+GROUND: Colour = (0.14, 0.115, 0.10)
 """Light from all around, from above and from below; linear."""
 
 

@@ -16,10 +16,12 @@ from ui.viewport.detail import Detail, skin_detail
 from ui.viewport.occlusion import openness
 from ui.viewport.surface import ByteArray
 
-NECK_FADE = 55.0
-"""Millimetres over which the neck rises out of the dark."""
-NOSTRIL = 9.0
-"""Millimetres around a nostril's opening within which what is turned to the bone is inside it."""
+NECK_FADE, NECK_DARK = 55.0, 0.45
+"""Millimetres over which the neck rises out of the dark, and its openness at the rim."""
+CONTRAST = 1.35
+"""Exponent on the openness: rays spread over a hemisphere tell too gently what the eye sees as a hollow."""
+NOSTRIL = 11.0
+"""Millimetres around the foot of the nose within which a hollow is a nostril, which has no bottom to be lit."""
 KEPT = 4
 """Faces whose look is remembered, so that a new solution of a face costs nothing here."""
 
@@ -50,19 +52,21 @@ def look_of(face: Face) -> Look:
 
 
 def _shade(face: Face, skin: Mesh) -> FloatArray:
-    """Openness with the neck fading down, and lids and lips not blackened by their own closeness."""
-    blockers = _with_eyes(face)
-    open_ = openness(skin, blockers)
-    rim = skin.boundary_loops[-1]
-    plane = skin.positions[rim]
-    normal = np.linalg.svd(plane - plane.mean(axis=0))[2][2]
-    rise = np.abs((skin.positions - plane.mean(axis=0)) @ normal)
-    below = smooth(skin.positions[:, 1], skin.positions[face.landmarks["menton"], 1], plane[:, 1].max())
-    fade = 0.45 + 0.55 * smooth(rise, 0.0, NECK_FADE)
-    return np.asarray(open_ * (1 - below * (1 - fade)))
+    """Openness (N,) with dark nostrils and a neck that rises out of the dark."""
+    position = skin.positions
+    open_ = openness(skin, _closed(face)) ** CONTRAST
+    foot = position[[face.landmarks[name] for name in ("ala_L", "ala_R", "subnasale")]]
+    to_nose = np.linalg.norm(position[:, None] - foot[None], axis=2).min(axis=1)
+    nostril = smooth(to_nose, NOSTRIL, 0.5 * NOSTRIL) * smooth(open_, 0.42, 0.12)
+    rim = position[skin.boundary_loops[-1]]
+    normal = np.linalg.svd(rim - rim.mean(axis=0))[2][2]
+    rise = np.abs((position - rim.mean(axis=0)) @ normal)
+    below = smooth(position[:, 1], position[face.landmarks["menton"], 1], rim[:, 1].max())
+    dim = (1 - NECK_DARK) * smooth(rise, NECK_FADE, 0.0) * below
+    return np.asarray(open_ * (1 - 0.85 * nostril) * (1 - dim))
 
 
-def _with_eyes(face: Face) -> Mesh:
+def _closed(face: Face) -> Mesh:
     """The skin with its mouth and eyes closed by fans, so that light does not leak in through them."""
     positions, triangles = [face.skin.positions], [face.skin.triangles]
     for k, loop in enumerate(openings(face)):

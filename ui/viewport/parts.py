@@ -1,24 +1,23 @@
-"""What lies behind the skin: lining of the mouth, sockets behind the lids, tongue, and the cap of the neck."""
+"""What lies behind the skin: lining of the mouth, sockets behind the lids, tongue."""
 
 from __future__ import annotations
 
 import numpy as np
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
-from facemodel.face import Face, Part
+from facemodel.face import Part
 from facemodel.mesh import Mesh
 from fem.types import Float32Array, FloatArray
 from ui.viewport.complexion import Colour, Palette, smooth
 from ui.viewport.look import bytes_of
-from ui.viewport.shading import FLESH, MATTE, apply
+from ui.viewport.shading import FLESH, apply
 from ui.viewport.surface import Surface
 
 MUCOSA: Colour = (0.52, 0.20, 0.19)
 THROAT: Colour = (0.10, 0.02, 0.025)
-TONGUE: Colour = (0.62, 0.31, 0.31)
-CAP: Colour = (0.09, 0.075, 0.07)
-INSET = 2.5
-"""Millimetres that the cap of the neck lies inside its rim."""
+TONGUE: Colour = (0.60, 0.32, 0.31)
+TONGUE_LIGHT = 0.42
+"""Openness of the tip of the tongue: lips and teeth keep most of the light away."""
 DEEP = 34.0
 """Millimetres behind the lips at which the mouth is black."""
 
@@ -54,7 +53,7 @@ def tongue(part: Part) -> Surface:
     """The tongue at rest; the jaw's motion is given to its actor."""
     mesh = part.mesh
     colours = _graded(mesh, TONGUE, THROAT, float(mesh.positions[:, 2].max()), 1.4 * DEEP)
-    colours[:, 3] *= 0.75
+    colours[:, 3] *= TONGUE_LIGHT
     surface = Surface(
         mesh.positions.astype(np.float32), mesh.normals.astype(np.float32), mesh.triangles, bytes_of(colours)
     )
@@ -67,28 +66,6 @@ def _flesh(surface: Surface) -> Surface:
     surface.actor.GetProperty().BackfaceCullingOn()
     surface.actor.ForceOpaqueOn()
     return surface
-
-
-def neck_cap(face: Face) -> Surface:
-    """A dark disk a little inside the neck's rim, so that nobody looks into a hollow head."""
-    rim = face.skin.positions[face.skin.boundary_loops[-1]]
-    middle = rim.mean(axis=0)
-    normal = np.linalg.svd(rim - middle)[2][2]
-    normal *= -np.sign(normal[1])
-    ring = rim - INSET * normal + INSET * _unit(middle - rim)
-    count = len(rim)
-    j = np.arange(count)
-    triangles = np.stack([j, np.roll(j, -1), np.full(count, count)], axis=1)
-    points = np.concatenate([ring, (middle - normal)[None]]).astype(np.float32)
-    normals = np.broadcast_to(normal, points.shape).astype(np.float32)
-    surface = Surface(points, np.ascontiguousarray(normals), triangles)
-    surface.actor.GetProperty().SetColor(*CAP)
-    apply(surface.actor, MATTE)
-    return surface
-
-
-def _unit(vectors: FloatArray) -> FloatArray:
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
 
 
 def moved_by(surface: Surface, motion: FloatArray) -> None:

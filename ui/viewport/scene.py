@@ -40,7 +40,7 @@ from ui.viewport.overlays.influence import InfluenceOverlay, influence_paint
 from ui.viewport.overlays.muscles import MusclesOverlay
 from ui.viewport.overlays.overlay import Drawn, Overlay
 from ui.viewport.overlays.skull import SkullOverlay
-from ui.viewport.overlays.supports import SupportsOverlay
+from ui.viewport.overlays.supports import SupportsOverlay, held_paint
 from ui.viewport.overlays.wireframe import WireframeOverlay
 from ui.viewport.pick import Hit, first_hit, ray_through, skin_vertex
 from ui.viewport.shading import Ghost
@@ -136,7 +136,7 @@ class Scene:
             return
         self._drawn = replace(self._drawn, muscle=state.muscle)
         self._ghost()
-        if (state.influence, state.muscle) != (before.influence, before.muscle):
+        if _painted(state) != _painted(before):
             self._paint()
         for name, overlay in self._overlays.items():
             anew = name == "influence" and state.muscle != before.muscle
@@ -165,7 +165,7 @@ class Scene:
     def frame(self) -> Frame:
         """What the whole head needs of the picture."""
         if self._drawn is None:
-            return Frame(np.zeros(3), np.full(3, 120.0))
+            return Frame(np.zeros(3), 120.0 * np.array([[1.0, 1.0, 1.0], [-1.0, -1.0, -1.0]]))
         return head_frame(self._drawn.project.face)
 
     @property
@@ -228,6 +228,8 @@ class Scene:
         colours = glow_paint(self._drawn) if self._drawn.glowing else None
         if colours is None and self.state.influence:
             colours = influence_paint(self._drawn)
+        if colours is None and self.state.supports:
+            colours = held_paint(self._drawn)
         self.figure.skin.paint(colours)
 
     def _switch(self, overlay: Overlay, on: bool, rebuild: bool) -> None:
@@ -242,6 +244,11 @@ class Scene:
         for overlay in self._overlays.values():
             if overlay.shown and self._drawn is not None:
                 overlay.follow(self._drawn)
+
+
+def _painted(state: ViewState) -> tuple[bool, bool, str]:
+    """The members of a view state that decide what is laid on the skin."""
+    return state.influence, state.supports, state.muscle
 
 
 def neutral_basis(project: Project) -> Basis:

@@ -102,9 +102,25 @@ def texture(image: ByteArray) -> vtkTexture:
     return made
 
 
-def cells(triangles: IntArray) -> vtkCellArray:
-    """Triangles (T, 3) as VTK cells."""
+def cells(corners: IntArray) -> vtkCellArray:
+    """Triangles (n, 3), lines (n, 2) or dots (n, 1) as VTK cells."""
     made = vtkCellArray()
-    flat = np.ascontiguousarray(triangles, dtype=np.int64).ravel()
-    made.SetData(3, numpy_to_vtkIdTypeArray(flat, deep=True))
+    flat = np.ascontiguousarray(corners, dtype=np.int64)
+    made.SetData(flat.shape[1], numpy_to_vtkIdTypeArray(flat.ravel(), deep=True))
     return made
+
+
+def companion(surface: Surface, corners: IntArray) -> vtkActor:
+    """Triangles (n, 3), lines (n, 2) or dots (n, 1) on the very points of a surface, with which they move."""
+    data = vtkPolyData()
+    data.SetPoints(surface.data.GetPoints())
+    data.GetPointData().SetNormals(surface.data.GetPointData().GetNormals())
+    put = {1: data.SetVerts, 2: data.SetLines, 3: data.SetPolys}[corners.shape[1]]
+    put(cells(corners))
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetInterpolationToPhong()
+    return actor

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -87,7 +88,7 @@ def _arch(mesh: Mesh, row: str) -> _Arch:
     root_at = PchipInterpolator(_angle(root_row, mesh), root_row)
     widths, heights = WIDTHS[row], HEIGHTS[row]
     bounds = np.concatenate([[0.0], np.cumsum(widths)]) * min(1.0, along[-1] / sum(widths))
-    s = np.concatenate([(a + b) / 2 + ACROSS * (b - a) / 2 for a, b in zip(bounds[:-1], bounds[1:], strict=True)])
+    s = np.concatenate([(a + b) / 2 + ACROSS * (b - a) / 2 for a, b in itertools.pairwise(bounds)])
     tooth = np.repeat(np.arange(len(widths)), len(ACROSS))
     gum = _gum_line(heights)
     s = np.concatenate([-s[::-1], s])

@@ -18,7 +18,7 @@ WEAKEST = 0.05
 MOST = 700
 """Arrows drawn at most; of more, the strongest."""
 SIDES = 5
-SHAFT, HEAD, HEAD_SHARE = 0.0011, 0.0036, 0.30
+SHAFT, HEAD, HEAD_SHARE = 0.0007, 0.0028, 0.26
 """Radius of shaft and head over the height of the picture, and the head's share of the length."""
 LIFT = 0.4
 """Millimetres above the skin."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from fem.types import Float32Array
 from ui.viewport.colour_map import cividis
+from ui.viewport.complexion import smooth
 from ui.viewport.look import at_points
 from ui.viewport.muscle_fields import muscle_named, muscle_pull
 from ui.viewport.overlays.legend import legend
@@ -15,7 +16,7 @@ COVER = 0.70
 """How much of the skin the colours cover, so that form stays readable."""
 KPA = 1000.0
 """Kilopascal in a newton per square millimetre."""
-FADE = 0.08
+FADE = 0.20
 """Share of the largest pull below which the colours fade into the skin."""
 
 
@@ -38,5 +39,5 @@ def influence_paint(drawn: Drawn) -> Float32Array | None:
     face = drawn.project.face
     pull = muscle_pull(muscle, face.skin)
     share = at_points(face, drawn.figure.posed.basis.display, pull / max(float(pull.max()), 1e-12))
-    cover = COVER * np.clip(share / FADE, 0.0, 1.0)
+    cover = COVER * smooth(share, 0.0, FADE)
     return np.column_stack([cividis(share), cover]).astype(np.float32)

@@ -3,20 +3,32 @@
 from __future__ import annotations
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor
 
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from fem import Support
-from fem.types import IntArray
+from fem.types import Float32Array, IntArray
 from ui.viewport.overlays.overlay import Drawn, Overlay
+from ui.viewport.surface import companion
 
 COLOURS = {Support.VALUE: (0.353, 0.694, 0.941), Support.CLAMPED: (0.910, 0.725, 0.286)}
 """Held in place; held in place and slope."""
 SIZE = 6.0
 """Pixels."""
+
+
+HELD = (0.60, 0.54, 0.40)
+HELD_COVER = 0.55
+"""Colour laid on the part of the head that is not solved, and how much of the skin it covers."""
+
+
+def held_paint(drawn: Drawn) -> Float32Array:
+    """Colours (P, 4) that mark the part of the skin that stands still."""
+    display = drawn.figure.posed.basis.display
+    colours = np.zeros((len(display.points), 4), dtype=np.float32)
+    colours[display.moving :] = (*HELD, HELD_COVER)
+    return colours
 
 
 def held_vertices(face: Face) -> dict[Support, IntArray]:
@@ -49,17 +61,10 @@ class SupportsOverlay(Overlay):
 
 
 def _dots(drawn: Drawn, points: IntArray, colour: tuple[float, float, float]) -> vtkActor:
-    data = vtkPolyData()
-    data.SetPoints(drawn.figure.skin.surface.data.GetPoints())
-    cells = vtkCellArray()
-    cells.SetData(1, numpy_to_vtkIdTypeArray(np.ascontiguousarray(points), deep=True))
-    data.SetVerts(cells)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
+    actor = companion(drawn.figure.skin.surface, points[:, None])
+    mapper = actor.GetMapper()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-8.0)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
     shown = actor.GetProperty()
     shown.SetColor(*colour)
     shown.SetLighting(False)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor
 
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from fem.types import IntArray
 from ui.viewport.overlays.overlay import Drawn, Overlay
+from ui.viewport.surface import companion
 
 SOLVED, HELD = (0.06, 0.07, 0.09), (0.30, 0.32, 0.36)
 """Colours of the edges of solved elements and of the held rest."""
@@ -42,23 +41,15 @@ class WireframeOverlay(Overlay):
         for chosen, colour in ((edges[~held], SOLVED), (edges[held], HELD)):
             self.add(_lines(drawn, chosen, colour))
 
-    def follow(self, drawn: Drawn) -> None:
-        """Nothing to do: the points are the skin's own."""
-
 
 def _lines(drawn: Drawn, edges: IntArray, colour: tuple[float, float, float]) -> vtkActor:
-    data = vtkPolyData()
-    data.SetPoints(drawn.figure.skin.surface.data.GetPoints())
-    cells = vtkCellArray()
-    cells.SetData(2, numpy_to_vtkIdTypeArray(np.ascontiguousarray(edges, dtype=np.int64).ravel(), deep=True))
-    data.SetLines(cells)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
+    actor = companion(drawn.figure.skin.surface, edges)
+    mapper = actor.GetMapper()
+    mapper.AddClippingPlane(drawn.figure.cut.plane)
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -4.0)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*colour)
-    actor.GetProperty().SetLighting(False)
-    actor.GetProperty().SetLineWidth(1.0)
+    shown = actor.GetProperty()
+    shown.SetColor(*colour)
+    shown.SetLighting(False)
+    shown.SetLineWidth(1.0)
     return actor
