@@ -37,7 +37,7 @@ def gallery_to_file(project: Project, solution: Solution, path: Path) -> None:
 
 def gallery(project: Project, solution: Solution) -> ByteArray:
     """The sheet, (h, w, 3) uint8."""
-    with stage(PORTRAIT) as made:
+    with stage(PORTRAIT, samples=0) as made:
         made.scene.show(project, solution)
         neutral = Entry(_pair(made, project, {}), "", "Neutral", "at rest")
         emotions = [_emotion(made, project, emotion) for emotion in project.emotions]

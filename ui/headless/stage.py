@@ -19,7 +19,7 @@ from ui.viewport.surface import ByteArray
 FINER = 2
 """Every pixel is drawn this many times as wide and high and averaged, which also smooths hair and highlights."""
 SAMPLES = 4
-"""Samples per drawn pixel at the edges of surfaces."""
+"""Samples per drawn pixel at the edges of surfaces, where the picture is to be as fine as can be."""
 BACKEND = "VTK_DEFAULT_OPENGL_WINDOW"
 """Environment variable by which VTK chooses how it reaches the graphics driver."""
 
@@ -30,17 +30,19 @@ class Stage:
     Parameters
     ----------
     size : width and height of the pictures in pixels
+    theme : of the backdrop, ``dark`` or ``light``
+    samples : per drawn pixel at the edges of surfaces; zero is faster
 
     Attributes
     ----------
     scene : what is photographed
     """
 
-    def __init__(self, size: tuple[int, int], theme: str = "dark") -> None:
+    def __init__(self, size: tuple[int, int], theme: str = "dark", samples: int = SAMPLES) -> None:
         self.size = size
         with _screenless():
             self._plotter = pv.Plotter(off_screen=True, window_size=(FINER * size[0], FINER * size[1]), lighting="none")
-        self._plotter.render_window.SetMultiSamples(SAMPLES)
+        self._plotter.render_window.SetMultiSamples(samples)
         self.scene = Scene(self._plotter, theme)
 
     def picture(self) -> ByteArray:
@@ -66,9 +68,9 @@ class Stage:
 
 
 @contextmanager
-def stage(size: tuple[int, int], theme: str = "dark") -> Iterator[Stage]:
+def stage(size: tuple[int, int], theme: str = "dark", samples: int = SAMPLES) -> Iterator[Stage]:
     """A stage that is struck when it is no longer needed."""
-    made = Stage(size, theme)
+    made = Stage(size, theme, samples)
     try:
         yield made
     finally:

@@ -11,11 +11,14 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 from facemodel.face import Face
 from fem.types import FloatArray
+from ui.viewport.complexion import has_features
 
 LENS = 22.0
 """Vertical field in degrees: a long lens, as portraits are taken with."""
 MARGIN = 1.12
 """The picture's height over that of the head."""
+CHEEK_DEPTH = 35.0
+"""Millimetres behind the eyes that a small picture still shows."""
 CHIN_ROOM = 14.0
 """Millimetres under the chin, where it goes when the jaw opens."""
 UP = np.array([0.0, 1.0, 0.0])
@@ -55,10 +58,12 @@ def head_frame(face: Face) -> Frame:
 
 
 def face_frame(face: Face) -> Frame:
-    """The face without crown and neck, for small pictures."""
+    """The face without crown and neck, for small pictures; the whole head where its features are unknown."""
+    if not has_features(face):
+        return head_frame(face)
     place = {name: face.skin.positions[vertex] for name, vertex in face.landmarks.items()}
     low, high = place["menton"][1] - CHIN_ROOM, place["frontal_eminence_L"][1]
-    wide, back = abs(float(place["zygion_L"][0])), float(place["zygion_L"][2])
+    wide, back = abs(float(place["zygion_L"][0])), float(place["eye_outer_L"][2]) - CHEEK_DEPTH
     corners = np.array([[x, y, z] for x in (-wide, wide) for y in (low, high) for z in (back, place["nose_tip"][2])])
     return Frame(corners.mean(axis=0), corners)
 

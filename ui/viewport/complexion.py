@@ -72,6 +72,29 @@ def palette_of(face: Face) -> Palette:
     return PALETTES.get(face.key, FAIR)
 
 
+FEATURES = (
+    *("upper_lip_mid", "lower_vermilion", "nose_tip", "subnasale", "chin", "menton", "supraglabella", "glabella"),
+    *(
+        f"{name}_{side}"
+        for side in "LR"
+        for name in (
+            *("upper_lid_mid", "cupid_bow", "mouth_corner", "ala", "cheek", "suborbital", "frontal_eminence"),
+            *("tragus", "brow_inner", "brow_mid", "brow_outer", "lateral_orbit", "zygion", "eye_outer"),
+        )
+    ),
+)
+"""Landmarks without which no features can be painted."""
+
+
+def has_features(face: Face) -> bool:
+    """Whether lips, brows and lids of a face are known; a bare scan is drawn in one colour."""
+    return all(name in face.landmarks for name in FEATURES) and len(face.skin.boundary_loops) >= OPENINGS
+
+
+OPENINGS = 4
+"""Mouth, two eyes and the neck."""
+
+
 @dataclass(frozen=True, eq=False)
 class Complexion:
     """What the skin looks like before light falls on it.

@@ -56,6 +56,8 @@ class EyeInLids:
 
     def shade(self, points: Float32Array) -> None:
         """Follow the lids: ``points`` (P, 3) is the posed skin."""
+        if not self._lids.closed:
+            return
         margin = self._lids.places(points)
         if self._seen is not None and np.array_equal(margin, self._seen):
             return

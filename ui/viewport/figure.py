@@ -6,18 +6,19 @@ from collections.abc import Iterator
 
 from vtkmodules.vtkRenderingCore import vtkActor
 
+from facemodel.face import Part
 from facemodel.superposition import Superposition
 from ui.viewport.eyes import EyeInLids
 from ui.viewport.lashes import ROOT_LIFT, Lashes
 from ui.viewport.lids import lid_line
 from ui.viewport.look import look_of
 from ui.viewport.neck import neck_cap, neck_cut
-from ui.viewport.parts import lining, moved_by, socket, tongue
+from ui.viewport.parts import enamel, lining, moved_by, socket, tongue
 from ui.viewport.seams import seam
 from ui.viewport.shading import Ghost
 from ui.viewport.skin import Skin
 from ui.viewport.surface import Surface
-from ui.viewport.teeth import row_of_teeth
+from ui.viewport.teeth import is_strip, row_of_teeth
 
 
 class Figure:
@@ -27,42 +28,36 @@ class Figure:
     ----------
     posed : the superposition whose arrays are drawn
     skin : the skin
-    cut : where the neck ends
+    eyes : both eyes
+    lashes : of the eyes whose lids are known
+    cut : where the neck ends, if the skin has one
     """
 
     def __init__(self, posed: Superposition) -> None:
         self.posed = posed
         face, display = posed.face, posed.basis.display
-        look = look_of(face)
-        self.skin = Skin(posed, look)
+        self._look = look_of(face)
+        self.skin = Skin(posed, self._look)
         self.eyes = tuple(EyeInLids(eye, lid_line(display, eye, 0.0)) for eye in face.eyes)
         self.lashes: list[Lashes] = []
+        self.cut = neck_cut(face)
         self._carried: list[Surface] = []
         self._jaw: list[Surface] = []
-        self._seam = seam(self.skin.surface, display, look.palette)
-        self.cut = neck_cut(face)
-        self.skin.surface.mapper.AddClippingPlane(self.cut.plane)
-        self._cap = neck_cap(self.cut, display)
-        self._still: list[Surface] = [self._cap]
-        eye_of = {eye.side: eye for eye in face.eyes}
-        roots = {eye.side: lid_line(display, eye, ROOT_LIFT) for eye in face.eyes}
+        self._still: list[Surface] = []
+        self._caps: list[Surface] = []
+        if self.cut is not None:
+            self.skin.surface.mapper.AddClippingPlane(self.cut.plane)
+            self._caps.append(neck_cap(self.cut, display))
         for part in face.parts:
-            if part.kind == "lining":
-                self._carried.append(lining(part, posed.parts[part.name], look.palette))
-            elif part.kind == "socket":
-                self._carried.append(socket(part, posed.parts[part.name], look.palette))
-            elif part.kind == "lashes":
-                side = "L" if part.mesh.positions[:, 0].mean() > 0 else "R"
-                self.lashes.append(Lashes(eye_of[side], roots[side], posed.points, look.palette.hair))
-            else:
-                surface = row_of_teeth(part) if part.kind == "teeth" else tongue(part)
-                (self._jaw if part.carrier == "jaw" else self._still).append(surface)
+            self._place(part)
+        self._seam = seam(self.skin.surface, display, self._look.palette) if self._carried else None
         self.follow()
 
     def ghost(self, ghost: Ghost) -> None:
         """Make the skin solid, or clear; what would hide the bones behind a clear skin goes away with it."""
         self.skin.ghost(ghost)
-        for actor in (self._seam, self._cap.actor, *(surface.actor for surface in self._carried)):
+        hiding = [surface.actor for surface in (*self._carried, *self._caps)]
+        for actor in (*hiding, self._seam) if self._seam else hiding:
             actor.SetVisibility(ghost is Ghost.SOLID)
 
     def follow(self) -> None:
@@ -81,10 +76,33 @@ class Figure:
     def actors(self) -> Iterator[vtkActor]:
         """All that is drawn; the clear film of the eyes comes last."""
         yield self.skin.surface.actor
-        yield self._seam
-        for surface in (*self._still, *self._jaw, *self._carried):
+        if self._seam is not None:
+            yield self._seam
+        for surface in (*self._still, *self._jaw, *self._carried, *self._caps):
             yield surface.actor
         for lash in self.lashes:
             yield lash.surface.actor
         for eye in self.eyes:
             yield from eye.actors
+
+    def _place(self, part: Part) -> None:
+        """Make what draws a part."""
+        palette, posed = self._look.palette, self.posed.parts[part.name]
+        if part.kind == "lining":
+            self._carried.append(lining(part, posed, palette))
+        elif part.kind == "socket":
+            self._carried.append(socket(part, posed, palette))
+        elif part.kind == "lashes":
+            self._plant(part)
+        else:
+            rows = row_of_teeth if is_strip(part) else enamel
+            surface = rows(part) if part.kind == "teeth" else tongue(part)
+            (self._jaw if part.carrier == "jaw" else self._still).append(surface)
+
+    def _plant(self, part: Part) -> None:
+        """Grow lashes on the lids of the eye that a part of lashes lies on."""
+        side = "L" if part.mesh.positions[:, 0].mean() > 0 else "R"
+        eye = next(eye for eye in self.posed.face.eyes if eye.side == side)
+        roots = lid_line(self.posed.basis.display, eye, ROOT_LIFT)
+        if roots.closed:
+            self.lashes.append(Lashes(eye, roots, self.posed.points, self._look.palette.hair))

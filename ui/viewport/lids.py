@@ -15,6 +15,9 @@ NEAR = 1.6
 REACH, FOLD = 5, 0.8
 """Points to both sides that are compared, and how many millimetres farther out one may lie."""
 
+FEWEST = 12
+"""Points of a line that goes round an eye."""
+
 
 @dataclass(frozen=True, eq=False)
 class LidLine:
@@ -29,6 +32,11 @@ class LidLine:
     start: IntArray
     stop: IntArray
     share: FloatArray
+
+    @property
+    def closed(self) -> bool:
+        """Whether there are lids at all; a scan without openings has none."""
+        return len(self.start) >= FEWEST
 
     def places(self, points: Float32Array) -> FloatArray:
         """The line (n, 3) on the posed skin ``points`` (P, 3), in order round the eye."""
@@ -55,6 +63,8 @@ def lid_line(display: DisplaySurface, eye: Eye, lift: float) -> LidLine:
     crossed = edges[(low < 0) & (high >= 0)]
     a, b = height[crossed].T
     share = a / (a - b)
+    if len(crossed) < FEWEST:
+        return LidLine(crossed[:0, 0], crossed[:0, 1], share[:0])
     places = display.points[crossed[:, 0]] * (1 - share)[:, None] + display.points[crossed[:, 1]] * share[:, None]
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
     order = np.argsort(np.arctan2(places[:, 1] - middle[1], places[:, 0] - middle[0]))

@@ -11,7 +11,7 @@ from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.mesh import Mesh
 from fem.types import FloatArray
-from ui.viewport.complexion import Palette, complexion, openings, palette_of, smooth
+from ui.viewport.complexion import Palette, complexion, has_features, openings, palette_of, smooth
 from ui.viewport.detail import Detail, skin_detail
 from ui.viewport.occlusion import openness
 from ui.viewport.surface import ByteArray
@@ -35,20 +35,23 @@ class Look:
     palette : colours of its owner
     colours : (N, 3) sRGB 0..1
     open : (N,) share of the light from all around that arrives, 0..1
-    detail : the picture of brows, pores and lip lines
+    detail : the picture of brows, pores and lip lines, if the features are known
     """
 
     palette: Palette
     colours: FloatArray
     open: FloatArray
-    detail: Detail
+    detail: Detail | None
 
 
 @lru_cache(maxsize=KEPT)
 def look_of(face: Face) -> Look:
-    """The look of a face."""
-    skin = face.skin
-    return Look(palette_of(face), complexion(face).colours, _shade(face, skin), skin_detail(face))
+    """The look of a face; one whose features are unknown has one colour and no detail."""
+    palette = palette_of(face)
+    if has_features(face):
+        return Look(palette, complexion(face).colours, _shade(face, face.skin), skin_detail(face))
+    plain = np.broadcast_to(palette.skin, face.skin.positions.shape)
+    return Look(palette, plain, openness(face.skin, face.skin) ** CONTRAST, None)
 
 
 def _shade(face: Face, skin: Mesh) -> FloatArray:

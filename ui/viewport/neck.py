@@ -17,6 +17,8 @@ ABOVE_RIM = 0.3
 """Millimetres between the highest point of the rim, as a wavy line about a plane, and the cut."""
 INSET = 0.997
 """Size of the cap over the cut: it ends inside the skin."""
+UPRIGHT = 0.7
+"""Least upward share of the normal of a rim that is a neck's and not the edge of a mask."""
 CAP = (0.085, 0.070, 0.066)
 
 
@@ -41,13 +43,16 @@ class NeckCut:
         return made
 
 
-def neck_cut(face: Face) -> NeckCut:
-    """The plane through the neck just above the rim of the skin."""
+def neck_cut(face: Face) -> NeckCut | None:
+    """The plane through the neck just above the rim of the skin; none if the skin does not end in a neck."""
     rim = face.skin.positions[face.skin.boundary_loops[-1]]
     middle = rim.mean(axis=0)
     normal = np.linalg.svd(rim - middle)[2][2]
     normal *= np.sign(normal[1])
-    rise = float(((rim - middle) @ normal).max()) + ABOVE_RIM
+    height = (face.skin.positions - middle) @ normal
+    if normal[1] < UPRIGHT or height.mean() < 0:
+        return None
+    rise = float(height[face.skin.boundary_loops[-1]].max()) + ABOVE_RIM
     return NeckCut(middle + rise * normal, normal)
 
 

@@ -10,8 +10,9 @@ from facemodel.mesh import Mesh
 from fem.types import Float32Array, FloatArray
 from ui.viewport.complexion import Colour, Palette, smooth
 from ui.viewport.look import bytes_of
-from ui.viewport.shading import FLESH, apply
+from ui.viewport.shading import FLESH, TOOTH, apply
 from ui.viewport.surface import Surface
+from ui.viewport.teeth import ENAMEL
 
 MUCOSA: Colour = (0.52, 0.20, 0.19)
 THROAT: Colour = (0.10, 0.02, 0.025)
@@ -58,6 +59,18 @@ def tongue(part: Part) -> Surface:
         mesh.positions.astype(np.float32), mesh.normals.astype(np.float32), mesh.triangles, bytes_of(colours)
     )
     return _flesh(surface)
+
+
+def enamel(part: Part) -> Surface:
+    """Teeth of another shape than a strip, drawn as they are."""
+    mesh = part.mesh
+    colours = _graded(mesh, ENAMEL, ENAMEL, float(mesh.positions[:, 2].max()), DEEP)
+    surface = Surface(
+        mesh.positions.astype(np.float32), mesh.normals.astype(np.float32), mesh.triangles, bytes_of(colours)
+    )
+    apply(surface.actor, TOOTH, openness=True)
+    surface.actor.ForceOpaqueOn()
+    return surface
 
 
 def _flesh(surface: Surface) -> Surface:

@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from facemodel.superposition import Superposition
 from fem.types import Float32Array
+from ui.viewport.complexion import Palette
 from ui.viewport.look import Look, at_points, bytes_of
 from ui.viewport.shading import SKIN, Ghost, apply
 from ui.viewport.surface import Surface
@@ -28,8 +29,9 @@ class Skin:
         face, display = posed.face, posed.basis.display
         colours = np.column_stack([at_points(face, display, look.colours), at_points(face, display, look.open)])
         self.surface = Surface(posed.points, posed.normals, display.triangles, bytes_of(colours))
-        self.surface.wear(look.detail.image, at_points(face, display, look.detail.coordinates))
-        self._hair = look.palette.hair
+        self._detail = "" if look.detail is None else _detail_of(look.palette)
+        if look.detail is not None:
+            self.surface.wear(look.detail.image, at_points(face, display, look.detail.coordinates))
         self._ghost = Ghost.SOLID
         self._paint: Float32Array | None = None
         self._dress()
@@ -64,15 +66,17 @@ class Skin:
         actor.SetForceOpaque(solid)
         actor.SetForceTranslucent(not solid)
         actor.GetProperty().SetBackfaceCulling(not solid)
-        red, green, blue = (c * c for c in self._hair)
-        detail = DETAIL + f"\n  albedo = mix(albedo, vec3({red:.4f}, {green:.4f}, {blue:.4f}), fine.r);"
+        detail = self._detail
         if self._paint is not None:
             detail += "\n  albedo = mix(albedo, paintVSOutput.rgb * paintVSOutput.rgb, paintVSOutput.a);"
         apply(actor, SKIN, openness=True, detail=detail, ghost=self._ghost, painted=self._paint is not None)
 
 
-DETAIL = """
+def _detail_of(palette: Palette) -> str:
+    """GLSL that reads the picture which `ui.viewport.detail` paints."""
+    red, green, blue = (c * c for c in palette.hair)
+    return f"""
   vec3 fine = texture(actortexture, tcoordVCVSOutput).rgb;
   albedo *= 0.5 + fine.g;
-  gloss = (0.4 + 1.2 * fine.b) * (1.0 - 0.8 * fine.r);"""
-"""Reads the picture that `ui.viewport.detail` paints."""
+  gloss = (0.4 + 1.2 * fine.b) * (1.0 - 0.8 * fine.r);
+  albedo = mix(albedo, vec3({red:.4f}, {green:.4f}, {blue:.4f}), fine.r);"""

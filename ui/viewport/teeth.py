@@ -31,6 +31,8 @@ BACK = np.array([0.0, 0.05, 0.35, 0.95])
 """Rows from the cutting edge up the tongue's side."""
 THICK = 3.2
 """Millimetres from the lips' side to the tongue's side of a crown near its edge."""
+FEWEST = 8
+"""Vertices inside a strip, of the cutting edge and between it and the root, from which an arch can be read."""
 CURVED = np.array([0.25, 0.25, 0.0, 0.15, 0.15, 0.10, 0.10])
 """How much shorter than the canines the other crowns end, millimetres."""
 
@@ -61,6 +63,12 @@ class _Arch:
     within: FloatArray
     tooth: FloatArray
     gum: FloatArray
+
+
+def is_strip(part: Part) -> bool:
+    """Whether a part is a strip over a whole row of teeth, out of which single teeth can be carved."""
+    loops = part.mesh.boundary_loops
+    return len(loops) == 1 and len(part.mesh.positions) - len(loops[0]) >= FEWEST
 
 
 def row_of_teeth(part: Part) -> Surface:
