@@ -13,7 +13,7 @@ from facemodel.basis import Basis
 from facemodel.chart import ChartFigures, chart_figures
 from facemodel.errors import FaceError
 from facemodel.face import Face
-from facemodel.loads import field_forces, jaw_forces
+from facemodel.loads import field_forces, jaw_forces, springs_carry_jaw
 from facemodel.mesh import Mesh
 from facemodel.project import Project
 from facemodel.sampling import (
@@ -28,6 +28,7 @@ from facemodel.sampling import (
 )
 from facemodel.tissue import tissue_springs
 from fem import (
+    FemError,
     Foundation,
     Material,
     SingularSystemError,
@@ -131,10 +132,10 @@ def face_system(project: Project, clock: Clock | None = None) -> FaceSystem:
     except SingularSystemError as error:
         raise loose_face(error, vertices) from error
     clock.lap("assembly")
-    names, forces = field_forces(project.units, project.muscles, face.skin)
+    names, forces = field_forces(project.units, project.muscles, face)
     on_region = forces[:, vertices]
     for unit in project.units:
-        for name in unit.fields if unit.jaw else ():
+        for name in unit.fields if springs_carry_jaw(unit, project.muscles) else ():
             on_region[names.index(name)] += jaw_forces(face, unit, springs, anchors, jawbone)
     flat = on_region.transpose(1, 2, 0).reshape(len(vertices), -1)
     loads = np.asarray(load_operator(assembler) @ flat).reshape(-1, 3, len(names))
@@ -174,6 +175,13 @@ def solve_project(project: Project, progress: Progress = silent) -> Solution:
     Cancelled
         If the progress callback raised it.
     """
+    try:
+        return _solve(project, progress)
+    except FemError as error:
+        raise FaceError(f"The face “{project.face.title}” cannot be solved: {error}") from error
+
+
+def _solve(project: Project, progress: Progress) -> Solution:
     clock = Clock()
     progress("Assembling the skin", 0.02)
     assembled = face_system(project, clock)

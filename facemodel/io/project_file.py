@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
+import numpy as np
+
 from facemodel.actions import field_names, resolve
 from facemodel.errors import UnknownNameError
 from facemodel.io.archive import LARGEST_ARCHIVE, Archive, pack, unpack
@@ -22,12 +24,15 @@ from facemodel.io.records import (
     unit_of,
     weights_json,
 )
-from facemodel.io.schema import PROJECT_FORMAT, SCHEMA, ProjectDocument, parse
+from facemodel.io.schema import PROJECT_FORMAT, SCHEMA, MuscleRecord, ProjectDocument, parse
 from facemodel.project import Project
 
 PROJECT_MEMBER = "project.json"
 RINGED = {"sphincter", "lid"}
 """Models that work on the ring of a muscle."""
+
+SMALLEST_RING = 1e-3
+"""Square millimetres spanned by the half axes; on less the models would divide by nothing."""
 
 
 def save_project(project: Project, path: Path) -> None:
@@ -106,15 +111,13 @@ def _check_references(document: ProjectDocument) -> None:
     _check_unique([str(unit.number) for unit in document.units], "units")
     _check_unique([emotion.name.lower() for emotion in document.emotions], "emotions")
     for k, muscle in enumerate(document.muscles):
-        if muscle.model == "fibre" and not muscle.fibres:
-            raise DamageError(f"{PROJECT_MEMBER}, muscles[{k}].fibres", "is empty")
-        if muscle.model in RINGED and muscle.ring is None:
-            raise DamageError(f"{PROJECT_MEMBER}, muscles[{k}].ring", "is missing")
-    known = {muscle.name for muscle in document.muscles}
+        _check_muscle(muscle, f"{PROJECT_MEMBER}, muscles[{k}]")
+    whole = {muscle.name for muscle in document.muscles if muscle.side == "M"}
+    halves = [{muscle.name for muscle in document.muscles if muscle.side == side} for side in ("L", "R")]
     for k, unit in enumerate(document.units):
-        for name in unit.muscles.keys() - known:
+        for name in sorted(unit.muscles.keys() - whole - (halves[0] & halves[1])):
             raise DamageError(
-                f"{PROJECT_MEMBER}, units[{k}].muscles", f"names “{name}”, which is no muscle of the project"
+                f"{PROJECT_MEMBER}, units[{k}].muscles", f"names “{name}”, which is no muscle on both sides of the face"
             )
     units = [unit_of(record) for record in document.units]
     for k, emotion in enumerate(document.emotions):
@@ -128,6 +131,18 @@ def _check_references(document: ProjectDocument) -> None:
                 ) from error
     for name in sorted(document.expression.keys() - set(field_names(units))):
         raise DamageError(f"{PROJECT_MEMBER}, expression", f"names “{name}”, which is no field of the project")
+
+
+def _check_muscle(muscle: MuscleRecord, place: str) -> None:
+    """A muscle has what its model works on."""
+    if muscle.model == "fibre" and not muscle.fibres:
+        raise DamageError(f"{place}.fibres", "is empty")
+    if muscle.model in RINGED and muscle.ring is None:
+        raise DamageError(f"{place}.ring", "is missing")
+    if muscle.ring is not None:
+        spanned = np.cross(muscle.ring.long_axis, muscle.ring.short_axis)
+        if np.linalg.norm(spanned) < SMALLEST_RING:
+            raise DamageError(f"{place}.ring", "has half axes that span no ellipse")
 
 
 def _check_unique(names: list[str], place: str) -> None:

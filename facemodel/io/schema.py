@@ -26,6 +26,9 @@ UPGRADES: Mapping[int, Upgrade] = {}
 LARGEST_WEIGHT = 100.0
 """Weights beyond this leave the range in which a face of float32 millimetres means anything."""
 
+SMALLEST_EYE, LARGEST_EYE = 8.0, 50.0
+"""Millimetres; a newborn's eyeball has a radius of 8, and a smaller one could not carry its cornea."""
+
 Name = Annotated[str, Field(min_length=1, max_length=100)]
 Key = Annotated[str, Field(pattern=r"^[\w-]{1,100}$")]
 Text = Annotated[str, Field(max_length=20_000)]
@@ -48,7 +51,7 @@ class EyeRecord(Record):
 
     side: Literal["L", "R"]
     centre: Point
-    radius: Positive
+    radius: Annotated[float, Field(ge=SMALLEST_EYE, le=LARGEST_EYE)]
 
 
 class PartRecord(Record):

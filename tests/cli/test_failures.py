@@ -158,6 +158,17 @@ def test_a_face_that_nothing_holds(tmp_path: Path, capsys: pytest.CaptureFixture
     assert "support" in said
 
 
+def test_a_face_whose_chart_is_folded(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project = small_project()
+    chart = project.face.chart.copy()
+    chart[12] += 60.0
+    path = tmp_path / "folded.risorius"
+    save_project(dataclasses.replace(project, face=dataclasses.replace(project.face, chart=chart)), path)
+    said = sentence(["solve", str(path)], 1, capsys)
+    assert "Sheet (made up)" in said
+    assert "flipped" in said
+
+
 def test_a_cache_that_cannot_be_written(
     smile: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
