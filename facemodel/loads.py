@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from facemodel.actions import ActionUnit
+from facemodel.errors import FaceError
 from facemodel.face import Face
-from facemodel.mesh import Mesh
 from facemodel.muscles import Muscle
-from facemodel.muscles.models import muscle_forces
+from facemodel.muscles.models import MODELS, muscle_forces
 from facemodel.superposition import jaw_motion
 from fem import SpringSet
 from fem.types import FloatArray
@@ -36,38 +36,80 @@ STEEP = 0.3
 
 
 def field_forces(
-    units: Sequence[ActionUnit], muscles: Sequence[Muscle], skin: Mesh
+    units: Sequence[ActionUnit], muscles: Sequence[Muscle], face: Face
 ) -> tuple[tuple[str, ...], FloatArray]:
     """Force per area on the skin of every displacement field, N/mm^2.
 
     A muscle across the midline acts with half its strength in each side of a paired unit, so that left and right
-    together are the whole.
+    together are the whole.  A muscle that lies on one side only has no part in the other.  Muscles that displace
+    have none at all; see `facemodel.displaced`.
 
     Returns
     -------
     names : M field names
     forces : (M, N, 3)
+
+    Raises
+    ------
+    FaceError
+        If a unit names a muscle that is not there on any side.
     """
-    known: dict[str, FloatArray] = {m.key: along_bone(muscle_forces(m, skin), skin.normals) for m in muscles}
+    return field_sums(units, muscles, {m.key: bone_forces(m, face) for m in muscles}, face)
+
+
+def bone_forces(muscle: Muscle, face: Face) -> FloatArray:
+    """Force per area (N, 3) of a muscle on the skin of a face, turned along the bone where its model slides."""
+    forces = muscle_forces(muscle, face)
+    return along_bone(forces, face.skin.normals) if MODELS[muscle.model].slides else forces
+
+
+def field_sums(
+    units: Sequence[ActionUnit], muscles: Sequence[Muscle], actions: Mapping[str, FloatArray], face: Face
+) -> tuple[tuple[str, ...], FloatArray]:
+    """Actions (N, 3) of muscles by key, summed over what every displacement field contracts.
+
+    Returns
+    -------
+    names : M field names
+    sums : (M, N, 3)
+
+    Raises
+    ------
+    FaceError
+        If a unit names a muscle that is not there on any side.
+    """
+    there = {muscle.name for muscle in muscles}
     names: list[str] = []
-    forces: list[FloatArray] = []
+    sums: list[FloatArray] = []
     for unit in units:
+        for missing in sorted(unit.muscles.keys() - there):
+            raise FaceError(
+                f"Action unit {unit.number} ({unit.name}) contracts the muscle “{missing}”, which is not there; "
+                "lay it, or take it out of the unit."
+            )
         for name in unit.fields:
             side = name[-1] if unit.paired else ""
             names.append(name)
-            forces.append(_unit_force(unit, side, known, len(skin.positions)))
-    return tuple(names), np.array(forces)
+            sums.append(_unit_sum(unit, side, actions, len(face.skin.positions)))
+    return tuple(names), np.array(sums).reshape(len(names), len(face.skin.positions), 3)
 
 
-def _unit_force(unit: ActionUnit, side: str, known: Mapping[str, FloatArray], count: int) -> FloatArray:
+def _unit_sum(unit: ActionUnit, side: str, actions: Mapping[str, FloatArray], count: int) -> FloatArray:
     total = np.zeros((count, 3))
     for muscle, weight in unit.muscles.items():
-        if muscle in known:
-            total += weight * (0.5 if side else 1.0) * known[muscle]
+        if muscle in actions:
+            total += weight * (0.5 if side else 1.0) * actions[muscle]
             continue
         for each in (side,) if side else ("L", "R"):
-            total += weight * known[f"{muscle}_{each}"]
+            if f"{muscle}_{each}" in actions:
+                total += weight * actions[f"{muscle}_{each}"]
     return total
+
+
+def springs_carry_jaw(unit: ActionUnit, muscles: Sequence[Muscle]) -> bool:
+    """Whether the tissue's springs pull the skin along with a turned jaw; a muscle of the jaw force does it else."""
+    pushed = {muscle.name for muscle in muscles if muscle.model == "jaw"}
+    return unit.jaw is not None and not pushed & unit.muscles.keys()
 
 
 def jaw_forces(

@@ -1,5 +1,6 @@
-"""Muscles and their models: given a surface, a model returns forces (design section 5)."""
+"""Muscles and their models: given a face, a model returns forces or displacements (design section 5)."""
 
-from facemodel.muscles.muscle import Fibre, Muscle, Sphincter
+from facemodel.muscles.muscle import Cosine, Fibre, Muscle, Sphincter
+from facemodel.muscles.profile import Profile, Profiles
 
-__all__ = ["Fibre", "Muscle", "Sphincter"]
+__all__ = ["Cosine", "Fibre", "Muscle", "Profile", "Profiles", "Sphincter"]

@@ -1,4 +1,4 @@
-"""What a muscle is, whatever model turns it into forces."""
+"""What a muscle is, whatever model turns it into forces or displacements."""
 
 from __future__ import annotations
 
@@ -7,18 +7,29 @@ from typing import Literal
 
 import numpy as np
 
+from facemodel.muscles.profile import Profiles
 from fem.types import FloatArray
 
-Model = Literal["fibre", "sphincter", "lid"]
+Model = Literal["fibre", "quadrilateral", "cosine", "sphincter", "mouth", "cosine_ring", "lid", "jaw"]
 MuscleSide = Literal["L", "R", "M"]
 
 
 @dataclass(frozen=True, eq=False)
 class Fibre:
-    """One muscle vector, from its origin on the skull to its attachment on the skin; (3,) in millimetres."""
+    """One muscle vector, from its origin on the skull to its attachment on the skin; (3,) in millimetres.
+
+    A fibre with intermediate points ``via``, in order from the origin, is bent: it runs through them on the
+    smooth curve of `facemodel.muscles.curve`.
+    """
 
     origin: FloatArray
     attachment: FloatArray
+    via: tuple[FloatArray, ...] = ()
+
+    @property
+    def points(self) -> FloatArray:
+        """Origin, intermediate points and attachment, (k + 2, 3)."""
+        return np.array([self.origin, *self.via, self.attachment])
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +52,23 @@ class Sphincter:
 
 
 @dataclass(frozen=True, eq=False)
+class Cosine:
+    """What a cosine pseudo-muscle needs beside its radius, which is the muscle's width.
+
+    Attributes
+    ----------
+    box : (3,) half sizes along x, y and z of the bounding box about the point of application, millimetres
+    share : part of the way to the point of attraction that the point of application goes at full contraction
+    factors : (3,) K of a ring along its long axis, its short axis and its outward normal; 1 draws together
+        wholly, negative values push apart
+    """
+
+    box: FloatArray
+    share: float
+    factors: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
 class Muscle:
     """A muscle on one side of the face.
 
@@ -50,13 +78,16 @@ class Muscle:
     side : ``L``, ``R`` or ``M`` for a single muscle across the midline
     title : Latin name for people
     group : ``brow``, ``eye``, ``nose``, ``cheek``, ``lip`` or ``chin``; decides the colour
-    model : which model turns it into forces
+    model : which model turns it into forces or displacements, a key of `facemodel.muscles.models.MODELS`
     fibres : its central fibres
     ring : the ellipse of a sphincter
-    width : omega, half width of a fibre's influence, millimetres
+    width : millimetres; omega, half width of a fibre's influence, or the radius about an insertion
     kappa : exponent of the longitudinal profile; larger pulls nearer to the attachment
     strength : force per area of skin where the influence is one, N/mm^2
     count : fibres generated in the fan between the central ones
+    profiles : sigma and tau of the mouth sphincter; None takes `facemodel.muscles.mouth.PROFILES`
+    cosine : bounding box and factors of a pseudo-muscle; None takes those of `facemodel.muscles.cosine`
+    linked : whether the muscle of the same name on the other side is kept its mirror image
     """
 
     name: str
@@ -70,6 +101,9 @@ class Muscle:
     kappa: float
     strength: float
     count: int
+    profiles: Profiles | None = None
+    cosine: Cosine | None = None
+    linked: bool = True
 
     @property
     def key(self) -> str:

@@ -36,8 +36,8 @@ def test_no_force_presses_into_the_bone_and_none_grows(force: np.ndarray, normal
 def test_left_and_right_forces_add_up_to_both_sides(project: Project) -> None:
     """A muscle across the midline gives each side of a paired unit half its strength."""
     skin = project.face.skin
-    names, forces = field_forces(project.units, project.muscles, skin)
-    by_key = {muscle.key: along_bone(muscle_forces(muscle, skin), skin.normals) for muscle in project.muscles}
+    names, forces = field_forces(project.units, project.muscles, project.face)
+    by_key = {muscle.key: along_bone(muscle_forces(muscle, project.face), skin.normals) for muscle in project.muscles}
     for unit in project.units:
         whole = np.zeros_like(skin.positions)
         for name, weight in unit.muscles.items():
@@ -50,7 +50,7 @@ def test_left_and_right_forces_add_up_to_both_sides(project: Project) -> None:
 def test_forces_of_the_shipped_muscles_have_no_inward_part(project: Project) -> None:
     skin = project.face.skin
     for muscle in project.muscles:
-        turned = along_bone(muscle_forces(muscle, skin), skin.normals)
+        turned = along_bone(muscle_forces(muscle, project.face), skin.normals)
         inward = np.einsum("ij,ij->i", turned, skin.normals)
         assert inward.min() >= -1e-12 * max(sizes(turned).max(), 1.0)
         assert sizes(turned).max() > 0.0, muscle.key

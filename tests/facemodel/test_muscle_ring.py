@@ -1,15 +1,20 @@
 """Sphincters and the levator of the lid."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from facemodel.errors import FaceError
-from facemodel.muscles import Sphincter
+from facemodel.mesh import Mesh
+from facemodel.muscles import Muscle, Sphincter
+from facemodel.muscles.cosine import cosine_ring_displacements
 from facemodel.muscles.lid import lid_forces
-from facemodel.muscles.models import muscle_forces
+from facemodel.muscles.mouth import mouth_forces
 from facemodel.muscles.sphincter import sphincter_forces
+from fem.types import FloatArray
 from tests.facemodel.skin import at, domed_skin, flat_skin, ring_muscle, sizes
 
 LONG, SHORT = np.array([16.0, 0, 0]), np.array([0, 10.0, 0])
@@ -124,7 +129,7 @@ def test_a_lid_fades_to_the_corners_to_the_fold_and_spares_the_other_lid() -> No
     assert size[at(skin, 0, 2, 0)] > size[at(skin, 0, 6, 0)] > size[at(skin, 0, 8, 0)] > 0.0
 
 
-@pytest.mark.parametrize("model", ["sphincter", "lid"])
-def test_a_ring_that_is_missing_is_named(model: str) -> None:
+@pytest.mark.parametrize("model", [sphincter_forces, lid_forces, mouth_forces, cosine_ring_displacements])
+def test_a_ring_that_is_missing_is_named(model: Callable[[Muscle, Mesh], FloatArray]) -> None:
     with pytest.raises(FaceError, match=r"Muscle “ring_L” is a .* without a ring; give it"):
-        muscle_forces(ring_muscle(None, model), flat_skin())
+        model(ring_muscle(None), flat_skin())

@@ -7,18 +7,18 @@ from functools import lru_cache
 import numpy as np
 
 from facemodel.actions import Expression
+from facemodel.face import Face
 from facemodel.loads import field_forces
-from facemodel.mesh import Mesh
 from facemodel.muscles import Muscle
-from facemodel.muscles.models import muscle_forces
+from facemodel.muscles.models import muscle_action
 from facemodel.project import Project
 from fem.types import FloatArray
 
 
 @lru_cache(maxsize=256)
-def muscle_pull(muscle: Muscle, skin: Mesh) -> FloatArray:
-    """Force per area (N,) with which a muscle pulls each skin vertex at full contraction, N/mm^2."""
-    return np.linalg.norm(muscle_forces(muscle, skin), axis=1)
+def muscle_pull(muscle: Muscle, face: Face) -> FloatArray:
+    """How strongly (N,) a muscle acts on each skin vertex at full contraction, N/mm^2 or mm as its model says."""
+    return np.linalg.norm(muscle_action(muscle, face), axis=1)
 
 
 def muscle_named(project: Project, key: str) -> Muscle | None:
@@ -30,7 +30,7 @@ def strongest_muscle(project: Project, vertex: int) -> Muscle | None:
     """The muscle that pulls most at a skin vertex, measured by its own largest pull; None where none does."""
     best, share = None, 0.05
     for muscle in project.muscles:
-        pull = muscle_pull(muscle, project.face.skin)
+        pull = muscle_pull(muscle, project.face)
         top = float(pull.max())
         if top > 0 and pull[vertex] / top > share:
             best, share = muscle, float(pull[vertex] / top)
@@ -46,7 +46,7 @@ class FieldForces:
     """
 
     def __init__(self, project: Project) -> None:
-        names, forces = field_forces(project.units, project.muscles, project.face.skin)
+        names, forces = field_forces(project.units, project.muscles, project.face)
         self._row = {name: k for k, name in enumerate(names)}
         self._forces = forces.astype(np.float32)
 

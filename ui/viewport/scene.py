@@ -185,9 +185,9 @@ class Scene:
         muscle = muscle_named(self._drawn.project, key) if self._drawn else None
         if muscle is None or self._drawn is None:
             return
-        skin = self._drawn.project.face.skin
-        pull = muscle_pull(muscle, skin)
-        places = skin.positions[pull > 0.2 * pull.max()]
+        face = self._drawn.project.face
+        pull = muscle_pull(muscle, face)
+        places = face.skin.positions[pull > 0.2 * pull.max()]
         camera = self.renderer.GetActiveCamera()
         towards = -np.array(camera.GetDirectionOfProjection())
         half = 1.6 * float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())

@@ -9,7 +9,7 @@ import numpy as np
 
 from facemodel.mesh import Mesh
 from facemodel.muscles import Muscle
-from facemodel.muscles.fibre import fan
+from facemodel.muscles.curve import paths
 from fem.types import FloatArray, IntArray
 
 STEPS = 12
@@ -68,16 +68,14 @@ def band(muscle: Muscle, skin: Mesh) -> Band:
 
 
 def _fan(muscle: Muscle) -> FloatArray:
-    """Straight fibres (rows, STEPS + 1, 3)."""
-    origins, attachments = fan(muscle.fibres, max(ROWS, min(muscle.count, 24)))
-    if len(origins) == 1:
-        line = attachments[0] - origins[0]
-        side = np.cross(line, [0.0, 0.0, 1.0])
-        side *= SLIM * muscle.width / max(float(np.linalg.norm(side)), 1e-9)
-        spread = np.linspace(-1, 1, ROWS)[:, None] * side
-        origins, attachments = origins + 0.5 * spread, attachments + spread
-    t = np.linspace(0, 1, STEPS + 1)[None, :, None]
-    return np.asarray(origins[:, None] * (1 - t) + attachments[:, None] * t)
+    """Fibres (rows, STEPS + 1, 3), straight or bent over the bone."""
+    lines = paths(muscle.fibres, max(ROWS, min(muscle.count, 24)), STEPS)
+    if len(lines) > 1:
+        return lines
+    side = np.cross(lines[0, -1] - lines[0, 0], [0.0, 0.0, 1.0])
+    side *= SLIM * muscle.width / max(float(np.linalg.norm(side)), 1e-9)
+    t = np.linspace(0.5, 1, STEPS + 1)[:, None]
+    return np.asarray(lines + np.linspace(-1, 1, ROWS)[:, None, None] * t * side)
 
 
 def _ring(muscle: Muscle) -> FloatArray:

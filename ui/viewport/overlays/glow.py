@@ -20,7 +20,7 @@ def glow_paint(drawn: Drawn) -> Float32Array | None:
     total = np.zeros(len(face.skin.positions))
     for muscle in drawn.project.muscles:
         if muscle.key in drawn.glowing:
-            pull = muscle_pull(muscle, face.skin)
+            pull = muscle_pull(muscle, face)
             total = np.maximum(total, pull / max(float(pull.max()), 1e-12))
     if not total.any():
         return None

@@ -27,7 +27,7 @@ class InfluenceOverlay(Overlay):
         """Make the legend."""
         muscle = muscle_named(drawn.project, drawn.muscle)
         if muscle is not None:
-            top = float(muscle_pull(muscle, drawn.project.face.skin).max())
+            top = float(muscle_pull(muscle, drawn.project.face).max())
             self.add(legend("Pull, kPa", KPA * top))
 
 
@@ -37,7 +37,7 @@ def influence_paint(drawn: Drawn) -> Float32Array | None:
     if muscle is None:
         return None
     face = drawn.project.face
-    pull = muscle_pull(muscle, face.skin)
+    pull = muscle_pull(muscle, face)
     share = at_points(face, drawn.figure.posed.basis.display, pull / max(float(pull.max()), 1e-12))
     cover = COVER * smooth(share, 0.0, FADE)
     return np.column_stack([cividis(share), cover]).astype(np.float32)

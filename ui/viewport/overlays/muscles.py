@@ -41,14 +41,18 @@ class MusclesOverlay(Overlay):
     def build(self, drawn: Drawn) -> None:
         """Lay the bands under the resting skin."""
         skin = drawn.project.face.skin
-        bands = [band(muscle, skin) for muscle in drawn.project.muscles]
+        # The force of the jaw has no shape of its own: its muscles lie under the others.
+        self._muscles = [muscle for muscle in drawn.project.muscles if muscle.fibres or muscle.ring is not None]
+        if not self._muscles:
+            return
+        bands = [band(muscle, skin) for muscle in self._muscles]
         sizes = [b.points.shape[0] * b.points.shape[1] for b in bands]
         first = np.cumsum([0, *sizes])
         self._rest = np.concatenate([b.points.reshape(-1, 3) for b in bands])
         triangles = np.concatenate([b.triangles + k for b, k in zip(bands, first, strict=False)])
         self._owner = np.repeat(np.arange(len(bands)), sizes)
         self._base = np.concatenate(
-            [_colours(b, GROUPS.get(m.group, OTHER)) for b, m in zip(bands, drawn.project.muscles, strict=True)]
+            [_colours(b, GROUPS.get(m.group, OTHER)) for b, m in zip(bands, self._muscles, strict=True)]
         )
         self._share = np.concatenate([np.tile(b.along**2, b.points.shape[0]) for b in bands])
         self._anchor = _nearest(self._rest, drawn)
@@ -62,8 +66,10 @@ class MusclesOverlay(Overlay):
 
     def follow(self, drawn: Drawn) -> None:
         """Colour by contraction and selection, and move the attachments with the skin."""
+        if not self._muscles:
+            return
         active = activations(drawn.project, drawn.expression)
-        keys = [muscle.key for muscle in drawn.project.muscles]
+        keys = [muscle.key for muscle in self._muscles]
         pull = np.array([active.get(key, 0.0) for key in keys])
         chosen = np.array([key == drawn.muscle or key in drawn.glowing for key in keys])
         at = pull[self._owner][:, None]
