@@ -5,6 +5,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QWidget
@@ -12,6 +14,15 @@ from pyvistaqt import QtInteractor
 
 FRAME = 1 / 60
 """Seconds between two frames at most; a hand moves more often than a screen can show."""
+
+SAMPLES = 4
+"""Samples per pixel that smooth the edges; more are not seen on skin."""
+
+STILL = 0.25
+"""Seconds without a new frame after which a processor that draws in software takes the time for smooth edges."""
+
+SOFTWARE = ("llvmpipe", "softpipe", "swr", "basic render", "swiftshader")
+"""Names of drivers that draw without a graphics card; smooth edges cost them four times the frame."""
 
 
 class Canvas(QtInteractor):
@@ -28,14 +39,18 @@ class Canvas(QtInteractor):
     drawn = Signal(float)
     _ready = False
 
-    def __init__(self, parent: QWidget, multi_samples: int = 0) -> None:
-        super().__init__(parent, auto_update=False, multi_samples=multi_samples)
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent, auto_update=False, multi_samples=0)
         self.before_frame: list[Callable[[], None]] = []
         self.frames = 0
         self._painting = False
         self._last = 0.0
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self.update)
+        self._software: bool | None = None
+        self._smooth = False
+        self._still = QTimer(self, singleShot=True, interval=round(1000 * STILL))
+        self._still.timeout.connect(self._refine)
         self.setAcceptDrops(False)
         self._ready = True
         self.iren.interactor.EnableRenderOff()
@@ -44,6 +59,7 @@ class Canvas(QtInteractor):
     def ask_frame(self) -> None:
         """Have the widget painted at the next frame; many requests make one picture."""
         if self._ready and not self._painting and not self._timer.isActive():
+            self._smooth = False
             wait = self._last + FRAME - time.perf_counter()
             self._timer.start(max(0, round(1000 * wait)))
 
@@ -57,10 +73,25 @@ class Canvas(QtInteractor):
         self.iren.interactor.SetAltKey(bool(event.modifiers() & Qt.KeyboardModifier.AltModifier))
         super().mousePressEvent(event)
 
+    def picture(self) -> NDArray[np.uint8]:
+        """What is seen, up to date and with smooth edges, (height, width, 3) in pixels of the screen."""
+        self._prepare()
+        self.ren_win.SetMultiSamples(SAMPLES)
+        self._painting = True
+        self._check_has_ren_win()
+        try:
+            self.ren_win.Render()
+            return np.asarray(self.screenshot(return_img=True))
+        finally:
+            self._painting = False
+
     def paintGL(self) -> None:
         """Bring the scene up to date and draw it."""
-        for prepare in self.before_frame:
-            prepare()
+        self._prepare()
+        if self._software is None:
+            self._software = self._drawn_in_software()
+        rough = self._software and not self._smooth
+        self.ren_win.SetMultiSamples(0 if rough else SAMPLES)
         self._painting = True
         start = time.perf_counter()
         self.iren.interactor.EnableRenderOn()
@@ -71,4 +102,19 @@ class Canvas(QtInteractor):
             self._painting = False
         self._last = time.perf_counter()
         self.frames += 1
+        if rough:
+            self._still.start()
         self.drawn.emit(1000 * (self._last - start))
+
+    def _prepare(self) -> None:
+        for prepare in self.before_frame:
+            prepare()
+
+    def _refine(self) -> None:
+        """Nothing has moved for a while: draw once more, with smooth edges."""
+        self._smooth = True
+        self.update()
+
+    def _drawn_in_software(self) -> bool:
+        driver = self.ren_win.ReportCapabilities().lower()
+        return any(name in driver for name in SOFTWARE)

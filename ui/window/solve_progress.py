@@ -41,7 +41,7 @@ class SolveProgress:
     def _go_on(self, text: str, share: float) -> None:
         """A solution that is not in the cache takes a while: until then the face is shown at rest."""
         self._status.show_progress(text, share)
-        if share < 1.0:
+        if share < 1.0 and not self._viewport.shows_face:
             self._viewport.show_document()
 
     def _end(self, _solution: object, _project: object) -> None:

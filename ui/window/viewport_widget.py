@@ -73,6 +73,11 @@ class Viewport(QWidget):
         self._turned_at = 0.0
         self._connect()
 
+    @property
+    def shows_face(self) -> bool:
+        """Whether a face is drawn yet."""
+        return self._shown is not None
+
     def show_document(self) -> None:
         """Draw the document's face, with its solution if there is one; nothing if that is what is drawn."""
         project, solution = self._document.project, self._document.solution
@@ -97,8 +102,7 @@ class Viewport(QWidget):
         ProjectError
             If it cannot be written; what was there before stays.
         """
-        self._before_frame()
-        picture = Image.fromarray(self.canvas.screenshot(return_img=True))
+        picture = Image.fromarray(self.canvas.picture())
         with replacing(path) as stream:
             picture.save(stream, "PNG")
 

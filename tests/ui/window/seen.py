@@ -6,22 +6,28 @@ from PySide6.QtTest import QTest
 from ui.window.main_window import MainWindow
 
 
+def picture(window: MainWindow) -> np.ndarray:
+    """Return what is seen in the viewport after the next frame."""
+    next_frame(window)
+    return window.viewport.canvas.picture().astype(int)
+
+
 def points(window: MainWindow) -> np.ndarray:
     """Return the drawn points of the skin after the next frame."""
-    picture(window)
+    next_frame(window)
     return window.viewport.scene.figure.posed.points.copy()
 
 
-def picture(window: MainWindow) -> np.ndarray:
-    """Return what is seen in the viewport after the next frame."""
+def next_frame(window: MainWindow) -> None:
+    """Wait until the window has drawn a frame of its own accord."""
     canvas = window.viewport.canvas
     before = canvas.frames
     canvas.ask_frame()
-    for _ in range(200):
+    for _ in range(300):
         QTest.qWait(10)
         if canvas.frames > before:
-            break
-    return canvas.screenshot(return_img=True).astype(int)
+            return
+    raise AssertionError("No frame was drawn.")
 
 
 def differs(one: np.ndarray, other: np.ndarray) -> bool:
