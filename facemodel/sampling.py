@@ -51,10 +51,12 @@ class SolvedRegion:
     ----------
     assembler : of the solved triangles, bending measured on the head's smooth surface
     vertices : (n,) skin vertex of each of its vertices
+    dofs : (n_dofs,) degree of freedom of the head of each of its degrees of freedom
     """
 
     assembler: Assembler
     vertices: IntArray
+    dofs: IntArray
 
 
 def head_surface(face: Face, element: Element) -> HeadSurface:
@@ -74,7 +76,7 @@ def solved_region(face: Face, head: HeadSurface) -> SolvedRegion:
         whole, part = head.assembler.surface.edges, vertices[surface.edges]
         edge = np.searchsorted(whole[:, 0] * count + whole[:, 1], part[:, 0] * count + part[:, 1])
         rows = np.concatenate([rows, 3 * count + edge])
-    return SolvedRegion(assembler.on_smooth_surface(head.coefficients[rows]), vertices)
+    return SolvedRegion(assembler.on_smooth_surface(head.coefficients[rows]), vertices, rows)
 
 
 def display_surface(face: Face, head: HeadSurface, density: int) -> DisplaySurface:

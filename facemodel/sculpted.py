@@ -10,6 +10,7 @@ import numpy as np
 
 from facemodel.actions import ActionUnit
 from facemodel.basis import Basis
+from facemodel.displaced import MEMBRANE
 from facemodel.display import DisplaySurface
 from facemodel.errors import FaceError, ProjectError
 from facemodel.face import Face, Jaw
@@ -19,9 +20,6 @@ from facemodel.solve import Solution
 from fem import interpolate_smoothly, sample_operators
 from fem.types import Float32Array, FloatArray
 from resources import resource
-
-MEMBRANE = 0.05
-"""1/mm^2, weight of slopes against curvatures when a field known at the vertices is made smooth between them."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,6 +11,7 @@ import numpy as np
 from facemodel.actions import ActionUnit
 from facemodel.basis import Basis
 from facemodel.chart import ChartFigures, chart_figures
+from facemodel.displaced import displaced_fields
 from facemodel.errors import FaceError
 from facemodel.face import Face
 from facemodel.loads import field_forces, jaw_forces, springs_carry_jaw
@@ -196,6 +197,9 @@ def _solve(project: Project, progress: Progress) -> Solution:
         assembled.loads,
         progress=lambda done, of: progress(f"Solving action units, {done} of {of}", 0.35 + 0.45 * done / of),
     )
+    displaced = displaced_fields(project, assembled.head, assembled.region, supports(project.face, assembled.region))
+    if displaced is not None:
+        fields = fields + displaced
     clock.lap("solve")
     progress("Sampling the smooth surface", 0.82)
     basis = sampled_basis(project, assembled, fields)

@@ -20,7 +20,7 @@ from fem.errors import FemError, SingularSystemError
 from fem.hct import Element, ShapeFunctions, shape_functions
 from fem.hct9 import HCT9
 from fem.hct12 import HCT12
-from fem.interpolate import interpolate_smoothly, smooth_assembler
+from fem.interpolate import SmoothInterpolation, interpolate_smoothly, smooth_assembler
 from fem.loads import corner_load_operator, load_operator, load_points, point_loads
 from fem.quadrature import TriangleRule, rule_of_degree
 from fem.sample import SampleOperators, Subdivision, sample_operators, subdivide
@@ -46,6 +46,7 @@ __all__ = [
     "SampleOperators",
     "ShapeFunctions",
     "SingularSystemError",
+    "SmoothInterpolation",
     "SpringLayer",
     "SpringSet",
     "Stiffness",
