@@ -149,7 +149,10 @@ class Superposition:
             sgemv(1.0, matrix.T, weights, beta=1.0, y=total, overwrite_y=True)
 
     def _turn_normals(self) -> None:
-        """Normals of the moving skin as the cross product of its slopes."""
+        """Normals of the moving skin as the cross product of its slopes; at rest the very ones of the display."""
+        if not self._weights.any():
+            self.normals[:] = self.basis.display.normals
+            return
         ux, uy, uz, vx, vy, vz = self._slopes.reshape(6, -1)
         normal = np.stack([uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx])
         normal /= np.sqrt(np.einsum("ij,ij->j", normal, normal)) + SMALLEST_NORMAL
