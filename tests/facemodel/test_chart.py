@@ -1,5 +1,7 @@
 """Charts: bijective on surfaces with holes, of low distortion, and honestly measured."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from hypothesis import assume, given
@@ -8,12 +10,13 @@ from hypothesis import strategies as st
 from facemodel.chart import chart_figures, jacobians, make_chart
 from facemodel.errors import FaceError
 from facemodel.mesh import Mesh
-from tests.fem.meshes import irregular, plate
 from tests.facemodel.test_mesh import cube
+from tests.fem.meshes import irregular, plate
 
 ENTRY = st.floats(-3.0, 3.0)
 
 
+@cache
 def bulging_annulus() -> Mesh:
     """Return a dome with a hole, which no plane map keeps in shape."""
     surface = irregular()

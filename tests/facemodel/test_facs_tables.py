@@ -4,8 +4,8 @@ import pytest
 
 from facemodel.actions import GROUP_TITLES, expand
 from facemodel.atlas import read_atlas
-from facemodel.facs import action_units, emotions
 from facemodel.faces import face_keys
+from facemodel.facs import action_units, emotions
 from resources import resource
 
 NUMBERS = {1, 2, 4, 5, 6, 7, 9, 10, 11, 12, 14, 15, 16, 17, 18, 20, 22, 23, 24, 25, 26, 27, 43}

@@ -1,5 +1,7 @@
 """Normals, areas, edges, loops and parts of triangle meshes, against closed forms."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -16,6 +18,7 @@ def cube(size: float = 2.0) -> Mesh:
     return Mesh(corners, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]))
 
 
+@cache
 def annulus() -> Mesh:
     surface = irregular()
     return Mesh(surface.positions, surface.triangles)
