@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 
 import numpy as np
 
@@ -78,9 +78,25 @@ def field_sums(
     FaceError
         If a unit names a muscle that is not there on any side.
     """
+    contracted = contractions(units, muscles)
+    sums = np.zeros((len(contracted), len(face.skin.positions), 3))
+    for total, weights in zip(sums, contracted.values(), strict=True):
+        for key, weight in weights.items():
+            total += weight * actions[key]
+    return tuple(contracted), sums
+
+
+def contractions(units: Sequence[ActionUnit], muscles: Sequence[Muscle]) -> dict[str, dict[str, float]]:
+    """Activation of every muscle by its key that every displacement field contracts, by the field's name.
+
+    Raises
+    ------
+    FaceError
+        If a unit names a muscle that is not there on any side.
+    """
+    keys = {muscle.key for muscle in muscles}
     there = {muscle.name for muscle in muscles}
-    names: list[str] = []
-    sums: list[FloatArray] = []
+    fields: dict[str, dict[str, float]] = {}
     for unit in units:
         for missing in sorted(unit.muscles.keys() - there):
             raise FaceError(
@@ -88,22 +104,20 @@ def field_sums(
                 "lay it, or take it out of the unit."
             )
         for name in unit.fields:
-            side = name[-1] if unit.paired else ""
-            names.append(name)
-            sums.append(_unit_sum(unit, side, actions, len(face.skin.positions)))
-    return tuple(names), np.array(sums).reshape(len(names), len(face.skin.positions), 3)
+            fields[name] = _contracted(unit, name[-1] if unit.paired else "", keys)
+    return fields
 
 
-def _unit_sum(unit: ActionUnit, side: str, actions: Mapping[str, FloatArray], count: int) -> FloatArray:
-    total = np.zeros((count, 3))
+def _contracted(unit: ActionUnit, side: str, keys: Container[str]) -> dict[str, float]:
+    weights: dict[str, float] = {}
     for muscle, weight in unit.muscles.items():
-        if muscle in actions:
-            total += weight * (0.5 if side else 1.0) * actions[muscle]
+        if muscle in keys:
+            weights[muscle] = weights.get(muscle, 0.0) + weight * (0.5 if side else 1.0)
             continue
-        for each in (side,) if side else ("L", "R"):
-            if f"{muscle}_{each}" in actions:
-                total += weight * actions[f"{muscle}_{each}"]
-    return total
+        for key in (f"{muscle}_{each}" for each in ((side,) if side else ("L", "R"))):
+            if key in keys:
+                weights[key] = weights.get(key, 0.0) + weight
+    return weights
 
 
 def springs_carry_jaw(unit: ActionUnit, muscles: Sequence[Muscle]) -> bool:
