@@ -9,7 +9,7 @@ from __future__ import annotations
 import ctypes
 import os
 import sys
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence, Set
 from io import TextIOWrapper
 from pathlib import Path
 
@@ -44,7 +44,7 @@ def render(
     path: Path,
     view: ViewName,
     size: tuple[int, int],
-    show: Collection[str],
+    show: Set[str],
 ) -> None:
     """Draw one picture, see `ui.headless.render_to_file`."""
     try:

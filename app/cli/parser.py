@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter, _SubParsersAction
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import NoReturn
 
@@ -50,18 +51,7 @@ def parser(commands: Mapping[str, Callable[[Namespace], int]]) -> ArgumentParser
     whole.set_defaults(run=commands["edit"], project=None)
     sub = whole.add_subparsers(title="commands", metavar="COMMAND", parser_class=Parser)
 
-    def command(name: str, summary: str, *examples: str, more: str = "") -> ArgumentParser:
-        epilog = more + "\nexamples:\n" + "\n".join(f"  risorius {name} {example}".rstrip() for example in examples)
-        made = sub.add_parser(
-            name,
-            help=summary,
-            description=summary[0].upper() + summary[1:] + ".",
-            epilog=epilog,
-            formatter_class=RawDescriptionHelpFormatter,
-        )
-        made.set_defaults(run=commands[name])
-        return made
-
+    command = partial(_command, sub, commands)
     _new(command("new", "begin a project on one of the faces that ship", "smile.risorius", "old.risorius --face dayo"))
     _project(command("solve", "solve all action units and keep the result for later commands", "smile.risorius"))
     _info(command("info", "show the figures of a project", "smile.risorius", "smile.risorius --json"))
@@ -101,6 +91,26 @@ formats:
 """
 
 
+def _command(
+    sub: _SubParsersAction[Parser],
+    commands: Mapping[str, Callable[[Namespace], int]],
+    name: str,
+    summary: str,
+    *examples: str,
+    more: str = "",
+) -> ArgumentParser:
+    epilog = more + "\nexamples:\n" + "\n".join(f"  risorius {name} {example}".rstrip() for example in examples)
+    made = sub.add_parser(
+        name,
+        help=summary,
+        description=summary[0].upper() + summary[1:] + ".",
+        epilog=epilog,
+        formatter_class=RawDescriptionHelpFormatter,
+    )
+    made.set_defaults(run=commands[name])
+    return made
+
+
 def _project(made: ArgumentParser) -> None:
     made.add_argument("project", metavar="PROJECT", type=Path, help="a .risorius file")
 
@@ -135,7 +145,7 @@ def _render(made: ArgumentParser) -> None:
         "--show",
         metavar="LIST",
         type=overlays,
-        default=(),
+        default=frozenset(),
         help=f"what to draw with the skin, separated by commas: {', '.join(OVERLAYS)}",
     )
 

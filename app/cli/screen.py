@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Set
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
@@ -24,7 +24,7 @@ class Render(Protocol):
         path: Path,
         view: ViewName,
         size: tuple[int, int],
-        show: Collection[str],
+        show: Set[str],
     ) -> None:
         """Draw ``expression`` seen from ``view``, ``size`` pixels wide and high, with the overlays ``show``."""
 

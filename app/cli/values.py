@@ -37,10 +37,10 @@ def size(text: str) -> tuple[int, int]:
     return width, height
 
 
-def overlays(text: str) -> tuple[str, ...]:
+def overlays(text: str) -> frozenset[str]:
     """Overlays from ``skull,muscles``."""
-    names = tuple(name.strip().lower() for name in text.split(",") if name.strip())
-    for name in names:
+    names = frozenset(name.strip().lower() for name in text.split(",") if name.strip())
+    for name in sorted(names):
         if name not in OVERLAYS:
             raise ArgumentTypeError(f"there is nothing called “{name}” to show; choose from {', '.join(OVERLAYS)}")
     return names

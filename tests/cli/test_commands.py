@@ -2,7 +2,7 @@
 
 import dataclasses
 import json
-from collections.abc import Collection
+from collections.abc import Set
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +43,7 @@ class Paper:
         path: Path,
         view: str,
         size: tuple[int, int],
-        show: Collection[str],
+        show: Set[str],
     ) -> None:
         self.asked.append({"expression": dict(expression), "path": path, "view": view, "size": size, "show": show})
 
@@ -173,7 +173,7 @@ def test_render_hands_over_what_was_asked(smile: Path, tmp_path: Path, paper: Pa
             "path": out,
             "view": "left",
             "size": (640, 480),
-            "show": ("skull", "muscles"),
+            "show": {"skull", "muscles"},
         }
     ]
 

@@ -6,7 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from facemodel.io.project_file import save_project
 from facemodel.projects import new_project
@@ -87,3 +89,34 @@ def test_a_reader_that_has_enough_is_no_failure_to_shout_about(tmp_path: Path) -
     )
     os.close(writing)
     assert process.stderr == ""
+
+
+@pytest.fixture
+def smile(tmp_path: Path) -> Path:
+    path = tmp_path / "smile.risorius"
+    save_project(small_project(), path)
+    return path
+
+
+def test_a_picture_needs_no_display(smile: Path, tmp_path: Path) -> None:
+    neutral, pucker = tmp_path / "neutral.png", tmp_path / "pucker.png"
+    for out, weight in ((neutral, 0), (pucker, 1)):
+        ended = run("render", smile, out, "--au", f"18={weight}", "--size", "160x120")
+        assert ended.returncode == 0, ended.stderr
+        assert "Traceback" not in ended.stderr
+    with Image.open(neutral) as before, Image.open(pucker) as after:
+        assert before.size == after.size == (160, 120)
+        assert np.abs(np.asarray(before, float) - np.asarray(after, float)).max() > 5
+
+
+def test_a_library_that_is_missing_is_named(smile: Path, tmp_path: Path) -> None:
+    script = (
+        "import sys; sys.modules['vtkmodules.vtkRenderingCore'] = None; from ui.launch import main;"
+        "sys.exit(main(sys.argv[1:]))"
+    )
+    command = [sys.executable, "-c", script, "render", str(smile), str(tmp_path / "a.png")]
+    ended = subprocess.run(command, capture_output=True, encoding="utf-8", check=False, cwd=Path.cwd())
+    assert ended.returncode == 1
+    assert "vtkRenderingCore" in ended.stderr.splitlines()[-1]
+    assert "install libgl1" in ended.stderr.splitlines()[-1]
+    assert "Traceback" not in ended.stderr
