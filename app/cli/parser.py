@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter, _SubParsersAction
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import NoReturn
@@ -30,55 +31,37 @@ With neither, the expression saved in the project is shown.
 """
 
 
+@dataclass(frozen=True)
+class Command:
+    """One command.
+
+    Attributes
+    ----------
+    name, summary : the word and what it does
+    arguments : adds its arguments to its parser
+    examples : what may follow ``risorius name``
+    more : help that stands before the examples
+    """
+
+    name: str
+    summary: str
+    arguments: Callable[[ArgumentParser], None]
+    examples: tuple[str, ...]
+    more: str = ""
+
+    @property
+    def epilog(self) -> str:
+        """What stands below the options."""
+        lines = [f"  risorius {self.name} {example}".rstrip() for example in self.examples]
+        return "\n".join([self.more, "examples:", *lines])
+
+
 class Parser(ArgumentParser):
     """Says in one sentence what is wrong."""
 
     def error(self, message: str) -> NoReturn:
         """Print the sentence and end with status 2."""
         self.exit(2, f"risorius: {message.removesuffix('.')}; see “{self.prog} --help”.\n")
-
-
-def parser(commands: Mapping[str, Callable[[Namespace], int]]) -> ArgumentParser:
-    """The parser; the namespace it returns holds the chosen one of ``commands`` as ``run``.
-
-    Parameters
-    ----------
-    commands : what to call for each command, by its name
-    """
-    whole = Parser(
-        prog="risorius", description=DESCRIPTION, epilog=EXAMPLES, formatter_class=RawDescriptionHelpFormatter
-    )
-    whole.set_defaults(run=commands["edit"], project=None)
-    sub = whole.add_subparsers(title="commands", metavar="COMMAND", parser_class=Parser)
-
-    command = partial(_command, sub, commands)
-    _new(command("new", "begin a project on one of the faces that ship", "smile.risorius", "old.risorius --face dayo"))
-    _project(command("solve", "solve all action units and keep the result for later commands", "smile.risorius"))
-    _info(command("info", "show the figures of a project", "smile.risorius", "smile.risorius --json"))
-    _render(
-        command(
-            "render",
-            "draw an expression into a PNG picture, without a window",
-            "smile.risorius smile.png --au 12=0.8 --au 1L=0.5",
-            "smile.risorius fear.png --emotion fear=1 --view three-quarter --size 1920x1080",
-            "smile.risorius muscles.png --show skull,muscles",
-            more=WEIGHTS,
-        )
-    )
-    _export(
-        command(
-            "export",
-            "write the face for other programs, in the format of the file's suffix",
-            "smile.risorius smile.glb",
-            "smile.risorius fields.npz",
-            "smile.risorius fear.obj --emotion fear=1",
-            more=FORMATS + WEIGHTS,
-        )
-    )
-    _gallery(command("gallery", "draw all action units and emotions on one sheet", "smile.risorius sheet.png"))
-    edit = command("edit", "open the editor", "", "smile.risorius")
-    edit.add_argument("project", metavar="PROJECT", nargs="?", type=Path, help="a .risorius file to open")
-    return whole
 
 
 FORMATS = """\
@@ -109,6 +92,31 @@ def _command(
     )
     made.set_defaults(run=commands[name])
     return made
+
+
+def parser(commands: Mapping[str, Callable[[Namespace], int]]) -> ArgumentParser:
+    """The parser; the namespace it returns holds the chosen one of ``commands`` as ``run``.
+
+    Parameters
+    ----------
+    commands : what to call for each command, by its name
+    """
+    whole = Parser(
+        prog="risorius", description=DESCRIPTION, epilog=EXAMPLES, formatter_class=RawDescriptionHelpFormatter
+    )
+    whole.set_defaults(run=commands["edit"], project=None)
+    sub = whole.add_subparsers(title="commands", metavar="COMMAND", parser_class=Parser)
+    for command in COMMANDS:
+        made = sub.add_parser(
+            command.name,
+            help=command.summary,
+            description=command.summary[0].upper() + command.summary[1:] + ".",
+            epilog=command.epilog,
+            formatter_class=RawDescriptionHelpFormatter,
+        )
+        made.set_defaults(run=commands[command.name])
+        command.arguments(made)
+    return whole
 
 
 def _project(made: ArgumentParser) -> None:
@@ -159,3 +167,37 @@ def _export(made: ArgumentParser) -> None:
 def _gallery(made: ArgumentParser) -> None:
     _project(made)
     made.add_argument("out", metavar="OUT.png", type=Path, help="the picture to write")
+
+
+def _edit(made: ArgumentParser) -> None:
+    made.add_argument("project", metavar="PROJECT", nargs="?", type=Path, help="a .risorius file to open")
+
+
+COMMANDS = (
+    Command(
+        "new", "begin a project on one of the faces that ship", _new, ("smile.risorius", "old.risorius --face dayo")
+    ),
+    Command("solve", "solve all action units and keep the result for later commands", _project, ("smile.risorius",)),
+    Command("info", "show the figures of a project", _info, ("smile.risorius", "smile.risorius --json")),
+    Command(
+        "render",
+        "draw an expression into a PNG picture, without a window",
+        _render,
+        (
+            "smile.risorius smile.png --au 12=0.8 --au 1L=0.5",
+            "smile.risorius fear.png --emotion fear=1 --view three-quarter --size 1920x1080",
+            "smile.risorius muscles.png --show skull,muscles",
+        ),
+        WEIGHTS,
+    ),
+    Command(
+        "export",
+        "write the face for other programs, in the format of the file's suffix",
+        _export,
+        ("smile.risorius smile.glb", "smile.risorius fields.npz", "smile.risorius fear.obj --emotion fear=1"),
+        FORMATS + WEIGHTS,
+    ),
+    Command("gallery", "draw all action units and emotions on one sheet", _gallery, ("smile.risorius sheet.png",)),
+    Command("edit", "open the editor", _edit, ("", "smile.risorius")),
+)
+"""Everything that the command line can do."""
