@@ -25,12 +25,10 @@ from facemodel.io.records import (
     weights_json,
 )
 from facemodel.io.schema import PROJECT_FORMAT, SCHEMA, MuscleRecord, ProjectDocument, parse
+from facemodel.muscles.models import MODELS
 from facemodel.project import Project
 
 PROJECT_MEMBER = "project.json"
-RINGED = {"sphincter", "lid"}
-"""Models that work on the ring of a muscle."""
-
 SMALLEST_RING = 1e-3
 """Square millimetres spanned by the half axes; on less the models would divide by nothing."""
 
@@ -112,12 +110,11 @@ def _check_references(document: ProjectDocument) -> None:
     _check_unique([emotion.name.lower() for emotion in document.emotions], "emotions")
     for k, muscle in enumerate(document.muscles):
         _check_muscle(muscle, f"{PROJECT_MEMBER}, muscles[{k}]")
-    whole = {muscle.name for muscle in document.muscles if muscle.side == "M"}
-    halves = [{muscle.name for muscle in document.muscles if muscle.side == side} for side in ("L", "R")]
+    known = {muscle.name for muscle in document.muscles}
     for k, unit in enumerate(document.units):
-        for name in sorted(unit.muscles.keys() - whole - (halves[0] & halves[1])):
+        for name in sorted(unit.muscles.keys() - known):
             raise DamageError(
-                f"{PROJECT_MEMBER}, units[{k}].muscles", f"names “{name}”, which is no muscle on both sides of the face"
+                f"{PROJECT_MEMBER}, units[{k}].muscles", f"names “{name}”, which is no muscle of the project"
             )
     units = [unit_of(record) for record in document.units]
     for k, emotion in enumerate(document.emotions):
@@ -135,9 +132,10 @@ def _check_references(document: ProjectDocument) -> None:
 
 def _check_muscle(muscle: MuscleRecord, place: str) -> None:
     """A muscle has what its model works on."""
-    if muscle.model == "fibre" and not muscle.fibres:
+    works_on = MODELS[muscle.model].geometry
+    if works_on == "fibres" and not muscle.fibres:
         raise DamageError(f"{place}.fibres", "is empty")
-    if muscle.model in RINGED and muscle.ring is None:
+    if works_on == "ring" and muscle.ring is None:
         raise DamageError(f"{place}.ring", "is missing")
     if muscle.ring is not None:
         spanned = np.cross(muscle.ring.long_axis, muscle.ring.short_axis)

@@ -8,8 +8,17 @@ from typing import Any
 import numpy as np
 
 from facemodel.actions import ActionUnit, Emotion, JawMotion
-from facemodel.io.schema import EmotionRecord, MuscleRecord, SettingsRecord, SphincterRecord, UnitRecord
-from facemodel.muscles import Fibre, Muscle, Sphincter
+from facemodel.io.schema import (
+    CosineRecord,
+    EmotionRecord,
+    FibreRecord,
+    MuscleRecord,
+    ProfilesRecord,
+    SettingsRecord,
+    SphincterRecord,
+    UnitRecord,
+)
+from facemodel.muscles import Cosine, Fibre, Muscle, Profile, Profiles, Sphincter
 from facemodel.project import Settings
 from fem.types import FloatArray
 
@@ -25,22 +34,43 @@ def weights_json(weights: Mapping[str, float]) -> dict[str, float]:
 
 
 def muscle_json(muscle: Muscle) -> dict[str, Any]:
-    """What `MuscleRecord` reads."""
-    return {
+    """What `MuscleRecord` reads; what only some muscles have is left out of the others."""
+    document: dict[str, Any] = {
         "name": muscle.name,
         "side": muscle.side,
         "title": muscle.title,
         "group": muscle.group,
         "model": muscle.model,
-        "fibres": [
-            {"origin": point_json(fibre.origin), "attachment": point_json(fibre.attachment)} for fibre in muscle.fibres
-        ],
+        "fibres": [_fibre_json(fibre) for fibre in muscle.fibres],
         "ring": None if muscle.ring is None else _ring_json(muscle.ring),
         "width": float(muscle.width),
         "kappa": float(muscle.kappa),
         "strength": float(muscle.strength),
         "count": int(muscle.count),
     }
+    if muscle.profiles is not None:
+        document["profiles"] = {
+            "sigma": _profile_json(muscle.profiles.sigma),
+            "tau": _profile_json(muscle.profiles.tau),
+        }
+    if muscle.cosine is not None:
+        document["cosine"] = {
+            "box": point_json(muscle.cosine.box),
+            "share": float(muscle.cosine.share),
+            "factors": point_json(muscle.cosine.factors),
+        }
+    if not muscle.linked:
+        document["linked"] = False
+    return document
+
+
+def _fibre_json(fibre: Fibre) -> dict[str, Any]:
+    ends = {"origin": point_json(fibre.origin), "attachment": point_json(fibre.attachment)}
+    return ends | ({"via": [point_json(point) for point in fibre.via]} if fibre.via else {})
+
+
+def _profile_json(profile: Profile) -> dict[str, Any]:
+    return {"at": [float(x) for x in profile.at], "values": [float(x) for x in profile.values]}
 
 
 def _ring_json(ring: Sphincter) -> dict[str, Any]:
@@ -63,13 +93,30 @@ def muscle_of(record: MuscleRecord) -> Muscle:
         title=record.title,
         group=record.group,
         model=record.model,
-        fibres=tuple(Fibre(np.array(f.origin), np.array(f.attachment)) for f in record.fibres),
+        fibres=tuple(_fibre_of(fibre) for fibre in record.fibres),
         ring=None if record.ring is None else _ring_of(record.ring),
         width=record.width,
         kappa=record.kappa,
         strength=record.strength,
         count=record.count,
+        profiles=None if record.profiles is None else _profiles_of(record.profiles),
+        cosine=None if record.cosine is None else _cosine_of(record.cosine),
+        linked=record.linked,
     )
+
+
+def _fibre_of(record: FibreRecord) -> Fibre:
+    via = tuple(np.array(point) for point in record.via)
+    return Fibre(np.array(record.origin), np.array(record.attachment), via)
+
+
+def _profiles_of(record: ProfilesRecord) -> Profiles:
+    sigma, tau = (Profile(each.at, each.values) for each in (record.sigma, record.tau))
+    return Profiles(sigma, tau)
+
+
+def _cosine_of(record: CosineRecord) -> Cosine:
+    return Cosine(np.array(record.box), record.share, np.array(record.factors))
 
 
 def _ring_of(record: SphincterRecord) -> Sphincter:

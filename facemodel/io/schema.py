@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import Annotated, Any, Final, Literal, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from facemodel.io.damage import DamageError
+from facemodel.muscles.muscle import Model
 
 PROJECT_FORMAT: Final = "risorius"
 FACE_FORMAT: Final = "risorius-face"
@@ -28,6 +30,9 @@ LARGEST_WEIGHT = 100.0
 
 SMALLEST_EYE, LARGEST_EYE = 8.0, 50.0
 """Millimetres; a newborn's eyeball has a radius of 8, and a smaller one could not carry its cornea."""
+
+MOST_VIA, MOST_KNOTS = 100, 100
+"""More points than this on one fibre or profile are no work of a hand."""
 
 Name = Annotated[str, Field(min_length=1, max_length=100)]
 Key = Annotated[str, Field(pattern=r"^[\w-]{1,100}$")]
@@ -86,6 +91,7 @@ class FibreRecord(Record):
 
     origin: Point
     attachment: Point
+    via: Annotated[tuple[Point, ...], Field(max_length=MOST_VIA)] = ()
 
 
 class SphincterRecord(Record):
@@ -100,20 +106,53 @@ class SphincterRecord(Record):
     forward: Share
 
 
+class ProfileRecord(Record):
+    """See `facemodel.muscles.Profile`."""
+
+    at: Annotated[tuple[Length, ...], Field(min_length=2, max_length=MOST_KNOTS)]
+    values: Annotated[tuple[Length, ...], Field(min_length=2, max_length=MOST_KNOTS)]
+
+    @model_validator(mode="after")
+    def _ordered(self) -> ProfileRecord:
+        if len(self.at) != len(self.values):
+            raise ValueError("a profile needs one value for every knot")
+        if self.at[0] != 0 or any(after <= before for before, after in pairwise(self.at)):
+            raise ValueError("the knots of a profile have to start at 0 and increase")
+        return self
+
+
+class ProfilesRecord(Record):
+    """See `facemodel.muscles.Profiles`."""
+
+    sigma: ProfileRecord
+    tau: ProfileRecord
+
+
+class CosineRecord(Record):
+    """See `facemodel.muscles.Cosine`."""
+
+    box: tuple[Positive, Positive, Positive]
+    share: Share
+    factors: tuple[Share, Share, Share]
+
+
 class MuscleRecord(Record):
-    """See `facemodel.muscles.Muscle`."""
+    """See `facemodel.muscles.Muscle`; what has a default may be missing, and is in files that do not need it."""
 
     name: Key
     side: Literal["L", "R", "M"]
     title: Name
     group: Name
-    model: Literal["fibre", "sphincter", "lid"]
+    model: Model
     fibres: tuple[FibreRecord, ...]
     ring: SphincterRecord | None
     width: Positive
     kappa: Positive
     strength: Annotated[float, Field(ge=0, le=1e5)]
     count: Annotated[int, Field(ge=0, le=10_000)]
+    profiles: ProfilesRecord | None = None
+    cosine: CosineRecord | None = None
+    linked: bool = True
 
 
 class JawMotionRecord(Record):
