@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter, _SubParsersAction
+from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import NoReturn
 
@@ -28,6 +27,15 @@ WEIGHTS = """\
 --au takes a FACS number or name, for both sides or one: 12, 12L, AU12, “lip corner puller R”.
 Several emotions mix by the larger weight; --au then overrides what they say.
 With neither, the expression saved in the project is shown.
+"""
+
+FORMATS = """\
+formats:
+  .glb   the whole head at rest with one morph target per action unit, in metres
+  .npz   neutral (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
+  .obj   the head with the expression, in millimetres
+  .ply   the same as one coloured mesh
+
 """
 
 
@@ -62,36 +70,6 @@ class Parser(ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Print the sentence and end with status 2."""
         self.exit(2, f"risorius: {message.removesuffix('.')}; see “{self.prog} --help”.\n")
-
-
-FORMATS = """\
-formats:
-  .glb   the whole head at rest with one morph target per action unit, in metres
-  .npz   neutral (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
-  .obj   the head with the expression, in millimetres
-  .ply   the same as one coloured mesh
-
-"""
-
-
-def _command(
-    sub: _SubParsersAction[Parser],
-    commands: Mapping[str, Callable[[Namespace], int]],
-    name: str,
-    summary: str,
-    *examples: str,
-    more: str = "",
-) -> ArgumentParser:
-    epilog = more + "\nexamples:\n" + "\n".join(f"  risorius {name} {example}".rstrip() for example in examples)
-    made = sub.add_parser(
-        name,
-        help=summary,
-        description=summary[0].upper() + summary[1:] + ".",
-        epilog=epilog,
-        formatter_class=RawDescriptionHelpFormatter,
-    )
-    made.set_defaults(run=commands[name])
-    return made
 
 
 def parser(commands: Mapping[str, Callable[[Namespace], int]]) -> ArgumentParser:
