@@ -17,6 +17,7 @@ from facemodel.making.skull.fields import (
     smooth_max,
     smooth_min,
 )
+from facemodel.making.skull.teeth import PROUD, UPPER, sockets
 from fem.types import FloatArray
 
 ARCH = [
@@ -31,7 +32,7 @@ FOSSA = [
 ]  # fmt: skip
 """Temporal and infratemporal fossa seen from the side, (z, y)."""
 
-NOSTRIL = [(0, 706.5), (4, 705.5), (6, 702), (8.8, 695), (11, 687), (11.2, 682.5), (8, 679), (3, 678), (0, 679.5)]
+NOSTRIL = [(0, 704.5), (4, 703.5), (6.3, 700.5), (8.8, 695), (11, 687), (11.2, 682.5), (8, 679), (3, 678), (0, 679.5)]
 """Half of the piriform aperture seen from the front, (x, y)."""
 
 ARCH_THICKNESS = 6.0
@@ -41,10 +42,10 @@ def braincase(p: FloatArray, bone: FloatArray) -> FloatArray:
     """The vault, closed below by the base, with mastoid and the part of the temporal bone that holds the ear."""
     x, y, z = p.T
     down, back = np.minimum(y - 745, 0) / 56, np.minimum(z - 42, 0) / 86
-    level = ((np.abs(x) / 68) ** 2.6 + np.abs(down) ** 2.6 + np.abs(back) ** 2.6) ** (1 / 2.6)
-    case = smooth_max(bone, (level - 1) * 56, 6)
-    petrous = ellipsoid(p, (53, 708, 58), (9, 12, 15))
-    mastoid = rod(p, [(55, 709, 46), (53, 696, 45), (50, 681, 48)], [13, 10.5, 6])
+    level = ((x / 72) ** 2.6 + np.abs(down) ** 2.6 + np.abs(back) ** 2.6) ** (1 / 2.6)
+    case = smooth_max(bone, (level - 1) * 56, 4)
+    petrous = ellipsoid(p, (50, 710, 58), (14, 13, 15))
+    mastoid = rod(p, [(48, 710, 46), (44, 697, 46), (41.5, 687, 48)], [13, 10.5, 7])
     lobe = ellipsoid(p, (20, 706, 6), (24, 15, 24))
     condyle = ellipsoid(p, (12, 690, 44), (6, 6, 10))
     for part in (petrous, mastoid, lobe, condyle):
@@ -75,7 +76,9 @@ def orbit(p: FloatArray) -> FloatArray:
     u = (x - (outer + inner) / 2) / ((outer - inner) / 2)
     v = (y + droop - (top + floor) / 2) / ((top - floor) / 2)
     level = (np.abs(u) ** 2.7 + np.abs(v) ** 2.7) ** (1 / 2.7)
-    return smooth_max((level - 1) * (top - floor) / 2, 86 - z, 4)
+    socket = smooth_max((level - 1) * (top - floor) / 2, 86 - z, 4)
+    fissure = rod(p, [(12, 727, 80), (22, 732, 91), (31, 736, 98)], [2.4, 1.7, 1.2])
+    return np.minimum(socket, fissure)
 
 
 def nose(p: FloatArray) -> FloatArray:
@@ -94,8 +97,9 @@ def fossa(p: FloatArray) -> FloatArray:
     x, y, z = p.T
     wall = along(y, [(676, 25), (690, 27), (702, 34), (712, 42), (722, 46.5), (732, 48.5), (745, 53)])
     wall = wall + along(z, [(78, 3), (90, 1), (100, -1), (112, -2)])
-    ramp = along(z, [(78, 0.7), (94, 0.8), (106, 2.5)])
-    return (wall + ramp * np.maximum(outline(z, y, FOSSA) + 5, 0) - x) / np.sqrt(1 + ramp**2)
+    ramp = along(z, [(70, 1.6), (80, 0.8), (94, 0.8), (106, 2.5)])
+    beyond = outline(z, y, FOSSA) + 4
+    return np.asarray((wall + ramp * (beyond + np.sqrt(beyond**2 + 40)) / 2 - x) / np.sqrt(1 + ramp**2))
 
 
 def cranium_field(p: FloatArray, bone: FloatArray) -> FloatArray:
@@ -114,10 +118,11 @@ def cranium_field(p: FloatArray, bone: FloatArray) -> FloatArray:
     skull = smooth_min(skull, np.maximum(shell, 30 - x), 4)
     tubercle = smooth_max(ellipsoid(p, (55, 708, 87), (7, 6, 6)), bone, 1)
     skull = smooth_min(skull, tubercle, 4)
-    joint = ellipsoid(p, (50, 705.5, 75), (15, 9, 8))
-    skull = carved(carved(skull, joint, 2.5), orbit(p), 2.5)
+    joint = ellipsoid(p, (50, 705.5, 75), (15, 8.5, 7.2))
+    skull = carved(carved(skull, joint, 2.5), orbit(p), 5)
     spine = smooth_max(rod(p, [(0, 680, 138), (0, 679, 148.5)], [3, 1.2]), bone, 1)
-    skull = smooth_min(carved(skull, nose(p), 1.5), spine, 1.5)
-    canal = rod(p, [(75, 706, 61.5), (52, 704.5, 62.5)], [3.4, 3.0])
+    skull = smooth_min(np.maximum(skull, bone), smooth_max(sockets(p, UPPER), bone - PROUD, 1.5), 2)
+    skull = smooth_min(carved(skull, nose(p), 4), spine, 2)
+    canal = rod(p, [(75, 706, 61.5), (52, 704.5, 62.5)], [3.0, 2.6])
     outlet = ellipsoid(p, (28.5, 703.5, 137), (2.6, 2.6, 5))
-    return carved(carved(np.maximum(skull, bone), canal, 1.5), outlet, 1)
+    return carved(carved(skull, canal, 1.5), outlet, 1)

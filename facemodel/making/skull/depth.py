@@ -41,15 +41,17 @@ DEPTHS: Mapping[str, float] = {
 deeper cheeks leave the tooth rows the width of a dental arch."""
 
 SCALP = 5.5
-TEMPLE = 14.0
 EAR = 9.0
-ARCH = 7.5
 LID = 5.0
 NOSE = 5.0
 SUBMENTAL = 16.0
 NECK = 25.0
-"""Millimetres where the tables are silent: scalp, temporal fossa, under ear, cheek bone, lids and nostrils (below the fair
-surface), floor of the mouth, and the neck, whose column stands in for bone."""
+"""Millimetres where the tables are silent: scalp, under ear, lids and nostrils (below the fair surface), floor of
+the mouth, and the neck, whose column stands in for bone."""
+
+SCALP_RAYS: list[tuple[float, float, float]] = [(0, 1, 0), (0, 1, 1), (0, 1, -1), (0, 0.1, -1), (0, 0.6, 1)]
+SCALP_RAYS += [(x, y, z) for x in (-1, 1) for y, z in ((0.7, 0), (1, 1), (0.2, -1), (0.8, -0.6))]
+"""Directions from the middle of the head in which the scalp's depth is set."""
 
 
 def sided(name: str) -> tuple[str, ...]:
@@ -62,6 +64,18 @@ def table() -> dict[str, float]:
     return {full: depth for name, depth in DEPTHS.items() for full in sided(name)}
 
 
+BETWEEN: Mapping[tuple[str, str], float] = {
+    ("brow_outer", "supraglenoid"): 14.0,
+    ("zygion", "lateral_orbit"): 7.5,
+    ("lower_second_molar", "mouth_corner"): 18.0,
+    ("lower_second_molar", "chin_lip_fold"): 12.5,
+    ("gonion", "menton"): 11.0,
+    ("upper_second_molar", "nasolabial"): 19.0,
+}
+"""Millimetres half-way between two landmarks: temple, zygomatic arch, cheek before the lower molars, body of the
+mandible, its lower border, cheek before the upper molars."""
+
+
 def _extra_sites(
     surface: Mesh, skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]
 ) -> tuple[FloatArray, FloatArray]:
@@ -69,25 +83,26 @@ def _extra_sites(
     size = face_size(skin, landmarks)
     at = {name: surface.positions[vertex] for name, vertex in landmarks.items()}
     middle = (at["tragus_L"] + at["tragus_R"]) / 2 + [0.0, 55 * size, 0.0]
-    rays = [(0.0, 1, 0), (0, 1, 1), (0, 1, -1.0), (0, 0.1, -1), (1, 0.7, 0), (-1, 0.7, 0), (1, 1, 1), (-1, 1, 1)]
-    rays += [(1, 0.2, -1), (-1, 0.2, -1), (1, 0.8, -0.6), (-1, 0.8, -0.6), (0, 0.6, 1)]
     out = surface.positions - middle
     out /= np.linalg.norm(out, axis=1, keepdims=True)
-    scalp = [int((out @ (np.array(ray) / np.linalg.norm(ray))).argmax()) for ray in rays]
+    scalp = [int((out @ (ray / np.linalg.norm(ray))).argmax()) for ray in np.array(SCALP_RAYS)]
     sites = [(surface.positions[v], SCALP) for v in scalp]
     for side in "LR":
-        temple = (at[f"brow_outer_{side}"] + at[f"supraglenoid_{side}"]) / 2
-        sites += [(temple, TEMPLE), (at[f"tragus_{side}"] - [0.0, 0.0, 12 * size], EAR)]
-        arch = (at[f"zygion_{side}"] + at[f"lateral_orbit_{side}"]) / 2
-        sites += [(at[f"ala_{side}"], NOSE), (arch, ARCH)]
+        for (one, other), depth in BETWEEN.items():
+            a, b = (at[name if name in at else f"{name}_{side}"] for name in (one, other))
+            sites.append(((a + b) / 2, depth))
+        sites += [(at[f"tragus_{side}"] - [0.0, 0.0, 12 * size], EAR), (at[f"ala_{side}"], NOSE)]
     sites += [(eye.centre + np.array([0.0, 0.0, eye.radius]), LID) for eye in eyes]
-    throat = at["menton"] - [0.0, 0.0, 38 * size]
-    sites.append((throat, SUBMENTAL))
+    sites.append((at["menton"] - [0.0, 0.0, 38 * size], SUBMENTAL))
     rim: IntArray = skin.boundary_loops[-1]
     low = surface.positions[rim[:: max(1, len(rim) // 16)]]
     sites += [(point, NECK) for point in low]
-    sites += [(point + np.array([0.0, 35 * size, 0.0]), NECK) for point in low if point[2] < at["tragus_L"][2]]
-    return np.array([site for site, _ in sites]), np.array([depth for _, depth in sites])
+    nape = low[low[:, 2] < at["tragus_L"][2]]
+    sites += [(point + np.array([0.0, 35 * size, 0.0]), NECK) for point in nape]
+    places = np.array([site for site, _ in sites])
+    nearest = np.linalg.norm(surface.positions[None] - places[:, None], axis=2).argmin(axis=1)
+    vertices, first = np.unique(nearest, return_index=True)
+    return surface.positions[vertices], np.array([depth for _, depth in sites])[first]
 
 
 class BoneEnvelope:
@@ -95,6 +110,7 @@ class BoneEnvelope:
 
     Attributes
     ----------
+    skin : the whole skin
     outer : the fair surface, see `envelope`
     inner : the same triangles on the bone
     anchors : (N, 3) for each skin vertex the place below it on ``inner``
@@ -102,9 +118,11 @@ class BoneEnvelope:
 
     outer: Mesh
     inner: Mesh
+    skin: Mesh
     anchors: FloatArray
 
     def __init__(self, skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) -> None:
+        self.skin = skin
         self.outer = envelope(skin, landmarks, eyes)
         direction = inward(self.outer)
         places, depths = _extra_sites(self.outer, skin, landmarks, eyes)
@@ -117,16 +135,17 @@ class BoneEnvelope:
             spread = RBFInterpolator(sites, np.log(values + LIFT), kernel="thin_plate_spline", degree=1)
             depth = np.minimum(np.exp(spread(self.outer.positions)) - LIFT, NECK)
             self.inner = self.outer.moved(self.outer.positions + depth[:, None] * direction)
-            measured = np.linalg.norm(self._below(skin.positions[vertices]) - skin.positions[vertices], axis=1)
+            measured = np.linalg.norm(self.below(skin.positions[vertices]) - skin.positions[vertices], axis=1)
             values[: len(vertices)] = np.maximum(values[: len(vertices)] + target - measured, 1 - LIFT)
         self.anchors = self._anchors(skin, vertices, target)
 
-    def _below(self, points: FloatArray) -> FloatArray:
+    def below(self, points: FloatArray) -> FloatArray:
+        """The nearest places (n, 3) on the inner surface."""
         _, _, closest = igl.point_mesh_squared_distance(points, self.inner.positions, self.inner.triangles)
         return np.asarray(closest)
 
     def _anchors(self, skin: Mesh, vertices: IntArray, target: FloatArray) -> FloatArray:
-        down = self._below(skin.positions) - skin.positions
+        down = self.below(skin.positions) - skin.positions
         degree = np.asarray(skin.adjacency.sum(axis=1))[:, None]
         for _ in range(SMOOTHINGS):
             down = (down + skin.adjacency @ down / degree) / 2

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.interpolate import PchipInterpolator
 
 from fem.types import FloatArray
 
@@ -59,6 +60,6 @@ def outline(u: FloatArray, v: FloatArray, corners: Sequence[Sequence[float]]) ->
 
 
 def along(x: FloatArray, knots: Sequence[tuple[float, float]]) -> FloatArray:
-    """Piecewise linear function through (x, value) knots, level beyond the ends."""
+    """Smooth function through (x, value) knots that never overshoots them, level beyond the ends."""
     at, value = zip(*sorted(knots), strict=True)
-    return np.asarray(np.interp(x, at, value))
+    return np.asarray(PchipInterpolator(at, value)(np.clip(x, at[0], at[-1])))

@@ -11,6 +11,8 @@ import numpy as np
 from facemodel.face import Eye, Jaw, Skull
 from facemodel.making.skull.cranium import cranium_field
 from facemodel.making.skull.depth import BoneEnvelope
+from facemodel.making.skull.envelope import closed
+from facemodel.making.skull.fields import smooth_max
 from facemodel.making.skull.frame import Frame
 from facemodel.making.skull.mandible import mandible_field
 from facemodel.making.skull.share import jaw_share
@@ -35,15 +37,30 @@ class Block:
     triangles: int
 
 
-CRANIUM = Block((-74, 665, -42), (74, 852, 160), 1.5, 8000)
-MANDIBLE = Block((-64, 612, 52), (64, 718, 150), 1.2, 2400)
+THINNEST = 1.5
+"""Millimetres of skin that cover the bone everywhere, also where skin folds in beside nose and lids."""
+
+CRANIUM = Block((-74, 665, -42), (74, 852, 160), 1.25, 9000)
+MANDIBLE = Block((-64, 612, 52), (64, 718, 150), 1.1, 2600)
 
 
-def _shape(field: Shape, end: Mesh, frame: Frame, block: Block) -> Mesh:
-    """One bone: sampled on a grid of the measured head, meshed there, and carried to this head."""
-    coarse = Grid.over(block.low, block.high, 2 * block.step)
+def _inside(mesh: Mesh, points: FloatArray) -> FloatArray:
+    """Signed distance (n,) to a closed surface, negative inside."""
     kind = igl.SignedDistanceType.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
-    distance, *_ = igl.signed_distance(frame.here(coarse.points()), end.positions, end.triangles, kind)
+    return np.asarray(igl.signed_distance(points, mesh.positions, mesh.triangles, kind)[0])
+
+
+def _shape(field: Shape, limits: tuple[Mesh, Mesh], frame: Frame, block: Block) -> Mesh:
+    """One bone: sampled on a grid of the measured head, meshed there, and carried to this head.
+
+    Parameters
+    ----------
+    limits : the surface on which bone ends, and the closed skin, under which it stays in any case
+    """
+    coarse = Grid.over(block.low, block.high, 2 * block.step)
+    here = frame.here(coarse.points())
+    end, skin = limits
+    distance = smooth_max(_inside(end, here), _inside(skin, here) + THINNEST, 1.0)
     fine = coarse.halved()
     bone = meshed(fine, field(fine.points(), coarse.refined(distance)), block.triangles)
     return bone.moved(frame.here(bone.positions))
@@ -76,11 +93,13 @@ def make_skull(skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) 
     """
     bone = BoneEnvelope(skin, landmarks, eyes)
     frame = Frame(bone, landmarks, eyes)
-    end = Mesh(*igl.loop(bone.inner.positions, bone.inner.triangles, 1))
     upper, lower = tooth_row(UPPER), tooth_row(LOWER)
+    teeth = _joined(upper, lower)
+    placed = frame.fitted(teeth.positions, igl.vertex_components(teeth.triangles))
+    limits = Mesh(*igl.loop(bone.inner.positions, bone.inner.triangles, 1)), closed(skin)
     return Skull(
-        _joined(_shape(cranium_field, end, frame, CRANIUM), upper.moved(frame.here(upper.positions))),
-        _joined(_shape(mandible_field, end, frame, MANDIBLE), lower.moved(frame.here(lower.positions))),
+        _joined(_shape(cranium_field, limits, frame, CRANIUM), upper.moved(placed[: len(upper.positions)])),
+        _joined(_shape(mandible_field, limits, frame, MANDIBLE), lower.moved(placed[len(upper.positions) :])),
         bone.anchors,
         jaw_share(skin, landmarks),
         jaw_hinge(skin, landmarks, bone.anchors, frame),

@@ -7,19 +7,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from facemodel.making.skull.fields import along, ellipsoid, outline, rod, smooth_max, smooth_min
+from facemodel.making.skull.fields import along, carved, ellipsoid, outline, rod, smooth_max, smooth_min
+from facemodel.making.skull.teeth import LOWER, PROUD, sockets
 from fem.types import FloatArray
 
 BOW = np.array(
-    [(0, 132.5), (8, 131.5), (14, 127), (18, 118), (22.5, 107), (28, 97), (35, 88), (41.5, 80), (46, 72), (49, 60)]
+    [(0, 132.5), (8, 131.5), (14, 127), (19, 118), (23.8, 107), (29.2, 97), (35.5, 88), (41.5, 80), (46, 72), (49, 60)]
 )
 """Plan of the bone's middle from the chin to behind the joint, (x, z)."""
 
 SIDE = [
-    (-20, 624.5), (0, 624.5), (10, 625.5), (20, 629), (30, 634), (40, 640.5), (52, 648.5), (62, 654.5), (70, 659),
-    (76, 664), (79.5, 672), (80, 686), (79, 700), (77, 707), (73.5, 707), (72, 699), (69, 692), (66, 691.5),
+    (-20, 624.5), (0, 624.5), (10, 625.5), (20, 629), (30, 634), (40, 640.5), (52, 648.5), (62, 654.5), (71, 657.5),
+    (79.5, 660.5), (82.5, 671), (81.5, 686), (79.5, 700), (77, 707), (73.5, 707), (72, 699), (69, 692), (66, 691.5),
     (63, 695), (60, 703), (57.5, 706), (55, 704), (52, 694), (48.5, 680), (45, 669.5),
-    (40, 664), (30, 658.5), (20, 653.5), (10, 650.5), (0, 650), (-20, 650),
+    (40, 666.5), (30, 661), (20, 656), (10, 652.5), (0, 652), (-20, 652),
 ]  # fmt: skip
 """The bone unrolled: arc length along the bow and height, (s, y), from the lower border over the ramus forward."""
 
@@ -61,5 +62,6 @@ def mandible_field(p: FloatArray, bone: FloatArray) -> FloatArray:
     head = ellipsoid(p, (50, 707, 75), (10, 5, 4.8))
     chin = ellipsoid(p, (7, 629, 133), (10, 6, 7))
     whole = smooth_min(smooth_min(plate, chin, 4), smooth_min(neck, head, 3), 3)
+    whole = smooth_min(smooth_max(whole, bone, 1.5), smooth_max(sockets(p, LOWER), bone - PROUD, 1.5), 3)
     foramen = ellipsoid(p, (22, 643, 122), (4, 2.2, 2.2))
-    return smooth_max(smooth_max(whole, bone, 1.5), -foramen, 1)
+    return carved(whole, foramen, 1)

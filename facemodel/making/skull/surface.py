@@ -73,6 +73,6 @@ def relaxed(mesh: Mesh, rounds: int) -> Mesh:
 def meshed(grid: Grid, values: FloatArray, triangles: int) -> Mesh:
     """The closed surface where a field sampled on a grid is zero, reduced to about a number of triangles."""
     positions, found, _ = igl.marching_cubes(values, grid.points(), *grid.size, 0.0)
-    whole = relaxed(largest_piece(Mesh(positions, found.astype(np.int64))), 6)
+    whole = relaxed(largest_piece(Mesh(positions, found.astype(np.int64))), 9)
     p, t, *_ = igl.qslim(whole.positions, whole.triangles, triangles)
     return Mesh(np.ascontiguousarray(p), np.ascontiguousarray(t, dtype=np.int64))

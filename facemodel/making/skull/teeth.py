@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from facemodel.making.skull.fields import along
+from facemodel.making.skull.fields import along, rod, smooth_max, smooth_min
 from facemodel.mesh import Mesh
 from fem.types import FloatArray, IntArray
 
@@ -45,7 +45,7 @@ class Row:
 
 UPPER = Row(
     np.array([(0, 142.8), (4.5, 142.5), (10.5, 140.2), (16, 135.6), (20.8, 129), (24, 121.5), (26.2, 113), (28, 98)]),
-    np.array([(0, 145.4), (4.6, 145), (11, 142.8), (17, 138), (21.6, 130.8), (24.4, 122.5), (26.4, 113.5), (28, 98)]),
+    np.array([(0, 145), (4.6, 144.6), (11, 142.4), (17, 137.6), (21.6, 130.6), (24.4, 122.5), (26.4, 113.5), (28, 98)]),
     (
         Tooth("incisor", 8.4, 6.6, 10.6),
         Tooth("incisor", 6.6, 6.0, 9.6),
@@ -58,8 +58,8 @@ UPPER = Row(
     -1.0,
 )
 LOWER = Row(
-    np.array([(0, 137.6), (3, 137.4), (8.4, 135.8), (13.6, 131.6), (18, 125.5), (21.6, 118), (24.6, 109), (28.6, 93)]),
-    np.array([(0, 141.4), (3, 141.2), (8.8, 139.4), (14, 134.8), (18.4, 128), (21.8, 119.5), (24.6, 110), (28.2, 93)]),
+    np.array([(0, 137), (3, 136.8), (8, 134.6), (12.2, 130.5), (16, 124.5), (18.8, 117.5), (22.4, 108.5), (27.5, 93)]),
+    np.array([(0, 142.4), (3, 142.2), (8.9, 140), (13.9, 135.2), (18.1, 128), (21.3, 119), (24.2, 110), (28.2, 93)]),
     (
         Tooth("incisor", 5.4, 5.6, 9.0),
         Tooth("incisor", 5.8, 5.8, 9.2),
@@ -78,8 +78,11 @@ FREEWAY = 0.5
 OVERBITE = 1.6
 """Millimetres that the rows stand apart at rest, and that upper incisors hang over the lower ones."""
 
-ROOTED = 3.0
+ROOTED = 2.5
 """Millimetres of each crown that are sunk in the bone."""
+
+PROUD = 1.5
+"""Millimetres that roots may stand out of the surface on which bone ends."""
 
 RING = 12
 """Vertices around a crown."""
@@ -157,3 +160,18 @@ def tooth_row(row: Row) -> Mesh:
             triangles.append((corners if side * row.up > 0 else corners[:, ::-1]) + count)
             count += len(left)
     return Mesh(np.concatenate(positions), np.concatenate(triangles))
+
+
+def sockets(p: FloatArray, row: Row) -> FloatArray:
+    """The alveolar process of one jaw: bone that rises about the roots, at points (n, 3) of the left side."""
+    neck = _arch(row.neck)
+    reach = np.linalg.norm(np.diff(row.edge, axis=0), axis=1).sum()
+    start = 0.0
+    best = np.full(len(p), np.inf)
+    for tooth in row.teeth:
+        x, z = neck((start + tooth.width / 2) / reach)
+        start += tooth.width
+        gum = along(np.array([z]), BITE)[0] - row.up * (tooth.height - 0.4)
+        root = rod(p, [(x, gum, z), (0.94 * x, gum - row.up * 11, z - 4)], [tooth.depth * 0.58, tooth.depth * 0.4])
+        best = smooth_min(best, smooth_max(root, row.up * (p[:, 1] - gum), 2.0), 2.5)
+    return best
