@@ -5,8 +5,9 @@ from __future__ import annotations
 import hashlib
 import os
 import tempfile
+import time
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from pathlib import Path
@@ -26,6 +27,10 @@ METHOD = "1"
 
 KEPT = 16
 """Entries that stay in the folder; the ones used longest ago go first.  One takes some 60 MB."""
+
+
+ABANDONED = 3600.0
+"""Seconds after which an unfinished entry counts as left behind by a program that was ended while it wrote."""
 
 
 def cache_folder() -> Path:
@@ -51,8 +56,8 @@ def _pieces(value: Any) -> Iterator[bytes]:
         yield type(value).__name__.encode()
         for each in fields(value):
             yield from _pieces(getattr(value, each.name))
-    elif isinstance(value, dict):
-        yield f"dict{len(value)}".encode()
+    elif isinstance(value, Mapping):
+        yield f"mapping{len(value)}".encode()
         for key, item in sorted(value.items()):
             yield from _pieces(key)
             yield from _pieces(item)
@@ -60,15 +65,17 @@ def _pieces(value: Any) -> Iterator[bytes]:
         yield f"tuple{len(value)}".encode()
         for item in value:
             yield from _pieces(item)
-    else:
+    elif value is None or isinstance(value, str | bool | int | float):
         yield f"{type(value).__name__}:{value!r};".encode()
+    else:  # a list's text, say, leaves out the middle of long arrays
+        raise TypeError(f"A project holds a {type(value).__name__}, of which the cache knows no bytes.")
 
 
 def cached_solution(project: Project) -> Solution | None:
     """The kept solution of a project, or None; a damaged entry is removed and counts as none."""
     path = cache_folder() / f"{solution_key(project)}.npz"
     try:
-        with np.load(path, allow_pickle=False) as arrays:
+        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as arrays:
             solution = _solution_of({name: arrays[name] for name in arrays.files})
     except (FileNotFoundError, NotADirectoryError):
         return None
@@ -101,6 +108,9 @@ def keep_solution(project: Project, solution: Solution) -> bool:
 
 
 def _forget_oldest(folder: Path) -> None:
+    for path in folder.glob("*.part"):
+        if path.stat().st_mtime < time.time() - ABANDONED:
+            path.unlink(missing_ok=True)
     entries = sorted(folder.glob("*.npz"), key=lambda path: path.stat().st_mtime, reverse=True)
     for path in entries[KEPT:]:
         path.unlink(missing_ok=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -92,11 +93,11 @@ def read_sculpted(face: Face) -> SculptedUnits:
     if not path.exists():
         raise FaceError(f"No sculpted units ship for {face.title}; take the default face for them.")
     try:
-        with np.load(path, allow_pickle=False) as arrays:
+        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as arrays:
             fields = arrays["fields"]
             names = tuple(str(name) for name in arrays["names"])
             provenance = str(arrays["provenance"])
-    except (OSError, ValueError, KeyError) as error:
+    except (OSError, ValueError, KeyError, BadZipFile) as error:
         raise ProjectError(f"The sculpted units {path} are damaged; reinstall Risorius.") from error
     if fields.shape != (len(names), len(face.skin.positions), 3):
         raise FaceError(f"The sculpted units of {face.title} belong to another mesh; take the shipped face for them.")
