@@ -6,7 +6,7 @@ from collections.abc import Container, Mapping, Sequence
 
 import numpy as np
 
-from facemodel.actions import ActionUnit
+from facemodel.actions import ActionUnit, JawMotion
 from facemodel.errors import FaceError
 from facemodel.face import Face
 from facemodel.muscles import Muscle
@@ -127,17 +127,14 @@ def springs_carry_jaw(unit: ActionUnit, muscles: Sequence[Muscle]) -> bool:
 
 
 def jaw_forces(
-    face: Face, unit: ActionUnit, springs: SpringSet, anchors: FloatArray, jawbone: FloatArray
+    face: Face, motion: JawMotion, springs: SpringSet, anchors: FloatArray, jawbone: FloatArray
 ) -> FloatArray:
-    """Force per area (n, 3) with which the tissue pulls the skin when the jaw moves as the unit says.
+    """Force per area (n, 3) with which the tissue pulls the skin when the jaw moves.
 
     Parameters
     ----------
     springs, anchors, jawbone : as `facemodel.tissue.tissue_springs` returns them
     """
-    count = int(springs.vertices.max()) + 1
-    if unit.jaw is None:
-        return np.zeros((count, 3))
-    motion = jaw_motion(face.skull.jaw, unit.jaw.degrees, unit.jaw.slide)
-    moved = anchors @ motion[:3, :3].T + motion[:3, 3] - anchors
-    return springs.anchor_forces(jawbone[:, None] * moved, count)
+    turn = jaw_motion(face.skull.jaw, motion.degrees, motion.slide)
+    moved = anchors @ turn[:3, :3].T + turn[:3, 3] - anchors
+    return springs.anchor_forces(jawbone[:, None] * moved, int(springs.vertices.max()) + 1)

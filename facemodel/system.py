@@ -1,0 +1,194 @@
+"""The linear system of a face, step by step: surfaces, material, tissue, supports; pure functions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import csc_array, csr_array
+
+from facemodel.errors import FaceError
+from facemodel.face import Face
+from facemodel.sampling import HeadSurface, SolvedRegion, head_surface, solved_region
+from facemodel.tissue import tissue_springs
+from fem import (
+    Assembler,
+    Element,
+    Foundation,
+    Material,
+    SingularSystemError,
+    SpringSet,
+    Stiffness,
+    Support,
+    Supports,
+    SurfaceSystem,
+    element_tensors,
+    load_operator,
+)
+from fem.types import FloatArray, IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Surfaces:
+    """What is found once per skin and element.
+
+    Attributes
+    ----------
+    head : the smooth surface of the whole skin
+    region : the solved part of it
+    loads : (n_dofs, n) operator from forces per area at the vertices of the region to consistent loads
+    """
+
+    head: HeadSurface
+    region: SolvedRegion
+    loads: csr_array
+
+
+@dataclass(frozen=True, eq=False)
+class Tissue:
+    """The springs between the solved skin and the skull.
+
+    Attributes
+    ----------
+    springs : vertices numbered as in the region
+    anchors : (M, 3) the skull end of every spring, millimetres
+    jawbone : (M,) the share of that end which belongs to the mandible
+    blocks : (n, 3, 3) their stiffness per area at the vertices, N/mm^3
+    """
+
+    springs: SpringSet
+    anchors: FloatArray
+    jawbone: FloatArray
+    blocks: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Stiffened:
+    """A stiffness matrix with what it was assembled from.
+
+    Attributes
+    ----------
+    assembler : of the region
+    material : of its vertices
+    stiffness : the matrix and the element matrices it is the sum of
+    touched : (k,) triangles that were integrated for it
+    """
+
+    assembler: Assembler
+    material: Material
+    stiffness: Stiffness
+    touched: IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class HeldFace:
+    """The linear system of a face and what it is made of.
+
+    Attributes
+    ----------
+    surfaces, tissue, supports : of the face
+    system : its stiffness, springs and supports
+    """
+
+    surfaces: Surfaces
+    tissue: Tissue
+    supports: Supports
+    system: SurfaceSystem
+
+    def consistent_loads(self, forces: FloatArray) -> FloatArray:
+        """Loads (n_dofs, 3, M) of forces per area (M, n, 3) at the vertices of the region, N/mm^2."""
+        flat = forces.transpose(1, 2, 0).reshape(forces.shape[1], -1)
+        return np.asarray(self.surfaces.loads @ flat).reshape(-1, 3, len(forces))
+
+
+def face_surfaces(face: Face, element: Element) -> Surfaces:
+    """The smooth surface of a face, its solved region, and how forces load it."""
+    head = head_surface(face, element)
+    region = solved_region(face, head)
+    return Surfaces(head, region, load_operator(region.assembler))
+
+
+def solved_vertices(face: Face) -> IntArray:
+    """Skin vertices (n,) of the solved region, in the order in which it numbers them."""
+    return np.unique(face.skin.triangles[face.solved])
+
+
+def face_material(face: Face, vertices: IntArray) -> Material:
+    """Painted stretching and bending at some skin vertices."""
+    layers = face.layers
+    return Material(layers.direction[vertices], layers.stretching[vertices], layers.bending[vertices])
+
+
+def face_tissue(face: Face, vertices: IntArray) -> Tissue:
+    """The springs under some skin vertices."""
+    springs, anchors, jawbone = tissue_springs(face, vertices)
+    return Tissue(springs, anchors, jawbone, springs.blocks(len(vertices)))
+
+
+def face_supports(face: Face, vertices: IntArray) -> Supports:
+    """Painted supports of the solved vertices, with the rim where they join the held rest clamped.
+
+    A vertex that slides keeps its place along the skin's normal at rest.
+    """
+    kinds = face.layers.supports[vertices].copy()
+    kinds[np.isin(vertices, face.skin.triangles[~face.solved])] = Support.CLAMPED
+    return Supports(kinds, np.where((kinds == Support.SLIDING)[:, None], face.skin.normals[vertices], 0.0))
+
+
+def stiffened(kept: Stiffened | None, assembler: Assembler, material: Material) -> Stiffened:
+    """The stiffness of a material; where a kept one is of the same surface, only what differs is integrated anew."""
+    tensors = element_tensors(assembler.surface, material)
+    if kept is None or kept.assembler is not assembler:
+        everything = np.arange(assembler.surface.n_triangles)
+        return Stiffened(assembler, material, assembler.assemble(tensors), everything)
+    changed = np.zeros(assembler.surface.n_vertices, dtype=np.bool_)
+    for layer in ("direction", "stretching", "bending"):
+        changed |= (getattr(material, layer) != getattr(kept.material, layer)).any(axis=1)
+    touched = np.flatnonzero(changed[assembler.surface.triangles].any(axis=1))
+    if len(touched) == 0:
+        return replace(kept, touched=touched)
+    return Stiffened(assembler, material, assembler.reassemble(kept.stiffness, tensors, touched), touched)
+
+
+def spring_coupling(blocks: FloatArray, assembler: Assembler) -> csc_array:
+    """Springs of (n, 3, 3) stiffness per area at the vertices as a matrix (3 n_dofs, 3 n_dofs)."""
+    return Foundation(blocks).coupling(assembler)
+
+
+def held_system(surfaces: Surfaces, supports: Supports, stiffness: Stiffness, coupling: csc_array) -> SurfaceSystem:
+    """The system of a face, not yet factorised.
+
+    Raises
+    ------
+    FaceError
+        If a connected part of the face has neither support nor spring.
+    """
+    region = surfaces.region
+    try:
+        return SurfaceSystem(region.assembler.dofs, stiffness.matrix, supports, coupling)
+    except SingularSystemError as error:
+        raise loose_face(error, region.vertices) from error
+
+
+def factorise(system: SurfaceSystem, surfaces: Surfaces) -> SurfaceSystem:
+    """The system, factorised now rather than at the first solve.
+
+    Raises
+    ------
+    FaceError
+        If the supports and springs leave part of the face loose.
+    """
+    try:
+        system.factorise()
+    except SingularSystemError as error:
+        raise loose_face(error, surfaces.region.vertices) from error
+    return system
+
+
+def loose_face(error: SingularSystemError, vertices: IntArray) -> FaceError:
+    """The error that tells a user where a face is loose."""
+    place = int(vertices[error.vertices[0]]) if len(error.vertices) else 0
+    return FaceError(
+        f"The face is loose around skin vertex {place}: nothing holds it there. "
+        "Paint tissue stiffness or a support on that region, then solve again."
+    )
