@@ -178,12 +178,14 @@ def test_the_strength_bar_scales_the_emotion_that_is_on(panel, document):
     assert panel.emotions.buttons["happiness"].strength == pytest.approx(0.5, abs=0.01)
 
 
-def test_an_emotion_with_anything_else_is_no_longer_that_emotion(document):
-    happiness, _ = document.project.emotions
-    assert shown_strength({"12L": 0.45, "12R": 0.45}, happiness, document.project) == pytest.approx(0.5)
-    assert shown_strength({"12L": 0.45, "12R": 0.40}, happiness, document.project) == 0.0
-    assert shown_strength({"12L": 0.45, "12R": 0.45, "17": 0.1}, happiness, document.project) == 0.0
-    assert shown_strength({}, happiness, document.project) == 0.0
+def test_an_emotion_with_anything_else_is_no_longer_that_emotion():
+    happiness = {"12L": 0.9, "12R": 0.9}
+    assert shown_strength({"12L": 0.45, "12R": 0.45}, happiness) == pytest.approx(0.5)
+    assert shown_strength({"12L": 0.45, "12R": 0.40}, happiness) == 0.0
+    assert shown_strength({"12L": 0.45, "12R": 0.45, "17": 0.1}, happiness) == 0.0
+    assert shown_strength({"12L": 0.45, "12R": 0.45, "17": 0.0}, happiness) == pytest.approx(0.5)
+    assert shown_strength({}, happiness) == 0.0
+    assert shown_strength({"12L": 0.5}, {}) == 0.0
 
 
 def test_hovering_a_bar_names_the_muscles_that_move_it(panel):

@@ -5,8 +5,9 @@ from __future__ import annotations
 from PySide6.QtWidgets import QGridLayout, QPushButton, QVBoxLayout, QWidget
 
 from app.document import Document
-from app.weights import emotion_weights
+from app.weights import checked_weights, emotion_weights
 from facemodel.actions import Emotion, Expression
+from facemodel.project import Project
 from ui.panels.emotion_match import shown_strength
 from ui.theme.metrics import GRID
 from ui.widgets.activation_slider import ActivationSlider
@@ -22,6 +23,7 @@ class EmotionBar(QWidget):
         super().__init__()
         self._document = document
         self._emotions: tuple[Emotion, ...] = ()
+        self._full: dict[str, Expression] = {}
         self._active = ""
         self.buttons: dict[str, StrengthButton] = {}
         self.neutral = QPushButton("Neutral")
@@ -42,16 +44,15 @@ class EmotionBar(QWidget):
         layout.setSpacing(GRID // 2)
         layout.addLayout(self._grid)
         layout.addWidget(self.strength)
-        self.show_emotions(document.project.emotions)
+        self.show_project(document.project)
 
-    def show_emotions(self, emotions: tuple[Emotion, ...]) -> None:
-        """Offer these emotions."""
-        if emotions is self._emotions:
-            return
-        self._emotions = emotions
+    def show_project(self, project: Project) -> None:
+        """Offer the emotions of a project."""
+        emotions = self._emotions = project.emotions
         for button in self.buttons.values():
             button.hide()
             button.deleteLater()
+        self._full = {emotion.name: checked_weights(emotion.weights, project) for emotion in emotions}
         self.buttons = {emotion.name: self._button(emotion) for emotion in emotions}
         for place, button in enumerate((*self.buttons.values(), self.neutral)):
             self._grid.addWidget(button, *divmod(place, COLUMNS))
@@ -61,7 +62,7 @@ class EmotionBar(QWidget):
         """Show which emotion an expression is; the document hears nothing of it."""
         on = 0.0
         for emotion in self._emotions:
-            strength = shown_strength(expression, emotion, self._document.project)
+            strength = shown_strength(expression, self._full[emotion.name])
             self.buttons[emotion.name].set_strength(strength)
             if strength > 0:
                 self._active, on = emotion.name, strength

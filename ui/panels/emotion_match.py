@@ -4,23 +4,24 @@ from __future__ import annotations
 
 import math
 
-from app.weights import emotion_weights
-from facemodel.actions import Emotion, Expression
-from facemodel.project import Project
+from facemodel.actions import Expression
 
 SAME_WEIGHT = 1e-6
 """Weights nearer than this are the same: sliders step by 0.001, rounding errs by 1e-16."""
 
 
-def shown_strength(expression: Expression, emotion: Emotion, project: Project) -> float:
-    """How strongly an expression is this emotion and nothing else; 0 where it is something else."""
-    full = emotion_weights(emotion.name, 1.0, project)
-    strongest = max(full, key=lambda name: full[name])
-    if full[strongest] == 0:
-        return 0.0
-    strength = expression.get(strongest, 0.0) / full[strongest]
-    names = set(full) | set(expression)
-    same = all(
-        math.isclose(expression.get(name, 0.0), strength * full.get(name, 0.0), abs_tol=SAME_WEIGHT) for name in names
+def shown_strength(expression: Expression, full: Expression) -> float:
+    """How strongly an expression is an emotion and nothing else; 0 where it is something else.
+
+    Parameters
+    ----------
+    expression : what is shown
+    full : the weights of the emotion at strength 1, by field
+    """
+    strongest = max(full, key=lambda name: full[name], default="")
+    strength = expression.get(strongest, 0.0) / full[strongest] if full.get(strongest) else 0.0
+    same = strength > 0 and all(
+        math.isclose(expression.get(name, 0.0), strength * full.get(name, 0.0), abs_tol=SAME_WEIGHT)
+        for name in set(full) | set(expression)
     )
     return strength if same else 0.0

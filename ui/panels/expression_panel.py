@@ -87,7 +87,7 @@ class ExpressionPanel(QWidget):
         for place, (key, group) in enumerate(self.groups.items()):
             group.folded.connect(lambda folded, key=key: self._note_fold(key, folded))
             self._list.insertWidget(place, group)
-        self.emotions.show_emotions(project.emotions)
+        self.emotions.show_project(project)
         self.fold(self._folded)
         self._filter(self.search.text())
         self.show_expression(self._document.shown)

@@ -57,6 +57,8 @@ def open_window(qtbot, settings: UserSettings, solution: Solution) -> Iterator[C
     def open_(document: Document, solve: Solve = known, wait: bool = True) -> MainWindow:
         window = make_window(document, settings, solve)
         opened.append(window)
+        if not settings.preferences.geometry:
+            window.resize(window.minimumSize())
         window.show()
         qtbot.waitExposed(window)
         window.activateWindow()
