@@ -17,3 +17,7 @@ class UnknownNameError(RisoriusError):
 
 class FaceError(RisoriusError):
     """A face is not fit for solving: not manifold, no chart, or left loose by its supports."""
+
+
+class MuscleError(RisoriusError):
+    """A muscle cannot be laid as it was asked for; the face and its other muscles stay as they were."""

@@ -210,7 +210,7 @@ class ProjectDocument(Record):
     settings: SettingsRecord
 
 
-Document = TypeVar("Document", FaceDocument, ProjectDocument)
+Document = TypeVar("Document", bound=Record)
 
 
 def parse(raw: Mapping[str, Any], kind: type[Document], format_: str, member: str) -> Document:

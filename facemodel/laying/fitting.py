@@ -1,0 +1,97 @@
+"""Fit muscles to another shape of head: by landmarks first, then each end onto what it lay on before."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from facemodel.face import Face
+from facemodel.laying.places import Kind, kind_of_place, nearest_foot, on_bone, on_skin
+from facemodel.laying.sides import mirrored, partner
+from facemodel.laying.warp import Warp, control_points, landmark_warp
+from facemodel.muscles import Fibre, Muscle, Sphincter
+from fem.types import FloatArray
+
+
+def fitted_atlas(muscles: Sequence[Muscle], source: Face, target: Face) -> tuple[Muscle, ...]:
+    """All muscles of one head on another one; the right of two linked partners stays the mirror image of the left.
+
+    Parameters
+    ----------
+    muscles : on the head ``source``
+    source, target : heads that share landmarks
+
+    Raises
+    ------
+    MuscleError
+        If the heads share too few landmarks, or these lie in a plane.
+    """
+    warp = landmark_warp(control_points(source), control_points(target))
+    made: list[Muscle] = []
+    for muscle in muscles:
+        left = partner(muscles, muscle)
+        if muscle.side == "R" and muscle.linked and left is not None and left.linked:
+            made.append(mirrored(fitted(left, warp, target, source), target))
+        else:
+            made.append(fitted(muscle, warp, target, source))
+    return tuple(made)
+
+
+def fitted(muscle: Muscle, warp: Warp, target: Face, source: Face | None = None) -> Muscle:
+    """One muscle carried by a warp and snapped to the head ``target``.
+
+    Ends come to lie on what they lay on in ``source``: a vertex of the skin, the bone under one, skin or bone
+    elsewhere; without a source, origins go to the bone and attachments to vertices.  The width grows with the
+    head about the middle of the muscle; strength, kappa and count stay.
+    """
+    ring = None if muscle.ring is None else _fitted_ring(muscle.ring, warp)
+    fibres = tuple(_fitted_fibre(fibre, warp, target, source) for fibre in muscle.fibres)
+    middle = np.mean([fibre.attachment for fibre in muscle.fibres] or [_centre(muscle)], axis=0)
+    scale = warp.scale(middle) if muscle.fibres or muscle.ring is not None else 1.0
+    cosine = None if muscle.cosine is None else replace(muscle.cosine, box=muscle.cosine.box * scale)
+    return replace(muscle, fibres=fibres, ring=ring, width=muscle.width * scale, cosine=cosine)
+
+
+def _centre(muscle: Muscle) -> FloatArray:
+    return np.zeros(3) if muscle.ring is None else muscle.ring.centre
+
+
+def _fitted_fibre(fibre: Fibre, warp: Warp, target: Face, source: Face | None) -> Fibre:
+    kinds: tuple[Kind, Kind] = ("bone", "vertex")
+    if source is not None:
+        kinds = kind_of_place(source, fibre.origin)[0], kind_of_place(source, fibre.attachment)[0]
+    moved = warp(fibre.points)
+    return Fibre(_settled(moved[0], kinds[0], target), _settled(moved[-1], kinds[1], target), tuple(moved[1:-1]))
+
+
+def _settled(point: FloatArray, kind: Kind, face: Face) -> FloatArray:
+    """The place (3,) of a kind that is nearest to a point."""
+    if kind == "vertex":
+        return on_skin(face, point, "vertex")
+    if kind == "foot":
+        return nearest_foot(face, point)
+    if kind == "skin":
+        return on_skin(face, point, "surface")
+    return on_bone(face, point, "surface") if kind == "bone" else np.array(point)
+
+
+def _fitted_ring(ring: Sphincter, warp: Warp) -> Sphincter:
+    centre = warp(ring.centre)[0]
+    long_axis, short_axis = (_fitted_axis(ring.centre, axis, warp) for axis in (ring.long_axis, ring.short_axis))
+    height, along = np.linalg.norm(short_axis), long_axis / np.linalg.norm(long_axis)
+    upright = short_axis - (short_axis @ along) * along
+    sector = _fitted_axis(ring.centre, ring.sector, warp) if ring.sector.any() else ring.sector
+    return replace(
+        ring,
+        centre=centre,
+        long_axis=long_axis,
+        short_axis=upright * height / np.linalg.norm(upright),
+        sector=sector,
+    )
+
+
+def _fitted_axis(centre: FloatArray, axis: FloatArray, warp: Warp) -> FloatArray:
+    ends = warp(np.array([centre + axis, centre - axis]))
+    return np.asarray((ends[0] - ends[1]) / 2)
