@@ -20,8 +20,8 @@ NECK_FADE, NECK_DARK = 55.0, 0.45
 """Millimetres over which the neck rises out of the dark, and its openness at the rim."""
 CONTRAST = 1.35
 """Exponent on the openness: rays spread over a hemisphere tell too gently what the eye sees as a hollow."""
-NOSTRIL = 11.0
-"""Millimetres around the foot of the nose within which a hollow is a nostril, which has no bottom to be lit."""
+NOSTRIL = 4.6
+"""Radius of a nostril in millimetres; the mesh has a dent there, life a hole that no light comes out of."""
 KEPT = 4
 """Faces whose look is remembered, so that a new solution of a face costs nothing here."""
 
@@ -58,15 +58,31 @@ def _shade(face: Face, skin: Mesh) -> FloatArray:
     """Openness (N,) with dark nostrils and a neck that rises out of the dark."""
     position = skin.positions
     open_ = openness(skin, _closed(face)) ** CONTRAST
-    foot = position[[face.landmarks[name] for name in ("ala_L", "ala_R", "subnasale")]]
-    to_nose = np.linalg.norm(position[:, None] - foot[None], axis=2).min(axis=1)
-    nostril = smooth(to_nose, NOSTRIL, 0.5 * NOSTRIL) * smooth(open_, 0.42, 0.12)
+    open_ = (open_ + open_[face.mirror]) / 2  # halves the grain of the rays, and faces are even-sided enough for shade
+    nostril = _nostrils(face, open_)
     rim = position[skin.boundary_loops[-1]]
     normal = np.linalg.svd(rim - rim.mean(axis=0))[2][2]
     rise = np.abs((position - rim.mean(axis=0)) @ normal)
     below = smooth(position[:, 1], position[face.landmarks["menton"], 1], rim[:, 1].max())
     dim = (1 - NECK_DARK) * smooth(rise, NECK_FADE, 0.0) * below
-    return np.asarray(open_ * (1 - 0.85 * nostril) * (1 - dim))
+    return np.asarray(open_ * (1 - 0.92 * nostril) * (1 - dim))
+
+
+def _nostrils(face: Face, open_: FloatArray) -> FloatArray:
+    """How far each vertex (N,) lies inside a nostril: around the darkest place under each wing of the nose."""
+    position, normal = face.skin.positions, face.skin.normals
+    tip, foot = position[face.landmarks["nose_tip"]], position[face.landmarks["subnasale"]]
+    inside = np.zeros(len(position))
+    for side in "LR":
+        wing = position[face.landmarks[f"ala_{side}"]]
+        share = position[:, 0] / wing[0]
+        under = (share > 0.3) & (share < 0.95) & (normal[:, 1] < -0.5) & (position[:, 2] > wing[2])
+        under &= (position[:, 1] > foot[1] - 4) & (position[:, 1] < tip[1] + 4)
+        if under.any():
+            middle = position[np.where(under, open_, np.inf).argmin()]
+            distance = np.linalg.norm(position - middle, axis=1)
+            inside = np.maximum(inside, smooth(distance, NOSTRIL, 0.35 * NOSTRIL))
+    return inside * smooth(-normal[:, 1], 0.3, 0.7)
 
 
 def _closed(face: Face) -> Mesh:

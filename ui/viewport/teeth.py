@@ -40,7 +40,7 @@ ENAMEL: Colour = (0.780, 0.735, 0.645)
 NECK: Colour = (0.68, 0.58, 0.44)
 GAP: Colour = (0.20, 0.12, 0.09)
 GUM: Colour = (0.54, 0.25, 0.245)
-DARKEST = 0.25
+DARKEST = 0.12
 """Openness of the hindmost tooth."""
 
 
@@ -181,7 +181,7 @@ def _crowns(arch: _Arch) -> tuple[FloatArray, FloatArray]:
     colour = np.array(ENAMEL) + (np.array(NECK) - np.array(ENAMEL)) * (0.7 * warm)[..., None]
     colour = colour + (np.array(GAP) - colour) * (0.8 * gap)[..., None]
     colour = colour + (np.array(GUM) - colour) * (1 - crown)[..., None]
-    back = smooth(points[..., 2].max() - points[..., 2], 3.0, 38.0)
+    back = smooth(points[..., 2].max() - points[..., 2], -3.0, 30.0)
     return points, np.concatenate([colour, (1 - (1 - DARKEST) * back)[..., None]], axis=-1)
 
 

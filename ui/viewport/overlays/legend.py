@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import vtkmodules.vtkRenderingFreeType  # noqa: F401 - without it VTK draws no text
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
