@@ -4,15 +4,16 @@ import threading
 
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QPoint, Qt, QThread
+from PySide6.QtCore import QPoint, Qt, QThread, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton, QWidget
 
 from ui.widgets.hint_card import HintCard
 from ui.widgets.pointer_label import PointerLabel
 from ui.window.delivery import UiThread
 from ui.window.layout import Layout, layout_from, layout_text
 from ui.window.status_line import StatusLine
+from ui.window.unforeseen import Unforeseen
 
 
 def test_a_card_goes_once_everything_is_ticked(shown, qtbot):
@@ -84,3 +85,22 @@ def test_a_hint_waits_while_a_notice_is_shown(shown):
     line.notify("Saved smile.risorius")
     line.show_hint("Turn the head")
     assert line.hint.text() == "Saved smile.risorius"
+
+
+def test_an_unforeseen_error_is_shown_once_and_the_program_goes_on(shown, qtbot, caplog):
+    window = shown(QWidget())
+    boxes: list[QMessageBox] = []
+
+    def look() -> None:
+        box = QApplication.activeModalWidget()
+        if isinstance(box, QMessageBox):
+            boxes.append(box)
+            hook.tell(RuntimeError, RuntimeError("another"), None)
+            box.button(QMessageBox.StandardButton.Ok).click()
+
+    hook = Unforeseen(window)
+    QTimer.singleShot(50, look)
+    hook.tell(ValueError, ValueError("a bolt came loose"), None)
+    assert len(boxes) == 1
+    assert "a bolt came loose" in boxes[0].detailedText()
+    assert [record.levelname for record in caplog.records] == ["ERROR", "ERROR"]

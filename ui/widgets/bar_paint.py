@@ -73,8 +73,7 @@ def _ground(bar: Bar, theme: Theme) -> QColor:
         return QColor(theme.hover)
     if not bar.zero:
         return QColor(theme.raised)
-    nearer = theme.raised if theme.name == "dark" else theme.line
-    return blend(theme.panel, nearer, 0.5)
+    return blend(theme.panel, theme.raised, 0.5) if theme.name == "dark" else blend(theme.panel, theme.line, 0.28)
 
 
 def _paint_fill(painter: QPainter, strip: QRectF, fill: Fill, theme: Theme, enabled: bool) -> None:

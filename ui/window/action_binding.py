@@ -94,6 +94,7 @@ class ActionBinding(QObject):
 
     def _dress(self, shown: QAction, action: Action) -> None:
         shown.setCheckable(action.kind != "command")
+        shown.setIconVisibleInMenu(action.kind == "command")
         shown.setShortcuts([QKeySequence(key) for key in shortcuts_of(action, self._context.settings.preferences)])
         shown.setStatusTip(action.hint)
         keys = self.keys(action)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
 
@@ -72,6 +72,14 @@ class Canvas(QtInteractor):
         """Tell VTK of the Alt key too, which its Qt widget leaves out."""
         self.iren.interactor.SetAltKey(bool(event.modifiers() & Qt.KeyboardModifier.AltModifier))
         super().mousePressEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keys belong to the window; pyvista would quit at ``q`` and turn to wires at ``w``."""
+        event.ignore()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        """Keys belong to the window."""
+        event.ignore()
 
     def picture(self) -> NDArray[np.uint8]:
         """What is seen, up to date and with smooth edges, (height, width, 3) in pixels of the screen."""

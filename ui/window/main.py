@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from pathlib import Path
 
@@ -22,6 +23,7 @@ from ui.theme.apply import apply_theme
 from ui.theme.roles import THEMES
 from ui.window.delivery import UiThread
 from ui.window.main_window import MainWindow
+from ui.window.unforeseen import Unforeseen
 
 
 def run(path: Path | None = None) -> int:
@@ -32,14 +34,21 @@ def run(path: Path | None = None) -> int:
     status : what the process should end with
     """
     app = make_application()
+    end_by_ctrl_c()
     settings = UserSettings()
     follow_theme(app, settings)
     document, complaint = first_document(path)
     window = make_window(document, settings)
+    Unforeseen(window).install()
     window.show()
     for sentence in filter(None, (complaint, settings.notice)):
         window.context.host.show_error(sentence)
     return app.exec()
+
+
+def end_by_ctrl_c() -> None:
+    """Let Ctrl+C in the terminal end the program at once; Qt's loop would not let Python hear of it."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def make_application() -> QApplication:

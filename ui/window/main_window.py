@@ -80,6 +80,7 @@ class MainWindow(QMainWindow):
         self._retitle()
         self.status.show_hint(IDLE_HINT)
         self._restore()
+        self.viewport.canvas.setFocus()
 
     def reset_layout(self) -> None:
         """Put all docks and groups where they were at the first start."""
@@ -136,6 +137,7 @@ class MainWindow(QMainWindow):
         document.saved_changed.connect(self._retitle)
         document.project_changed.connect(self._retitle)
         self.context.view.changed.connect(self._follow_view)
+        self.context.settings.failed.connect(self.status.notify)
         self.binding.table_changed.connect(self._refill_menus)
         self.palette_box.chosen.connect(self._run)
         self.expression.folds_changed.connect(self._note_folds)

@@ -68,5 +68,5 @@ class SolveProgress:
         timing = f" · {took:.0f} ms" if took and done else ""
         self._status.show_state(
             f"solved {done}/{total}{timing}",
-            "Displacement fields that are solved, and the time from a moved slider to the drawn frame",
+            "Displacement fields that are solved, and the time to pose and draw the last expression",
         )

@@ -45,7 +45,7 @@ class Viewport(QWidget):
 
     Attributes
     ----------
-    frame_time : milliseconds from the last change of the expression to its picture
+    frame_time : milliseconds that posing and drawing the last expression took
     """
 
     muscle_hovered = Signal(object)
@@ -57,7 +57,7 @@ class Viewport(QWidget):
         self._view = view
         self._shown: tuple[Face, Solution | None] | None = None
         self._pose_due = False
-        self._changed_at: float | None = None
+        self._posed: float | None = None
         self._reported_at = 0.0
         self._over: list[QWidget] = []
         self.frame_time = 0.0
@@ -166,23 +166,23 @@ class Viewport(QWidget):
 
     def _pose(self, _expression: Expression) -> None:
         self._pose_due = True
-        if self._changed_at is None:
-            self._changed_at = time.perf_counter()
         self.canvas.ask_frame()
 
     def _before_frame(self) -> None:
         """Pose once per frame, however often the expression changed since the last one."""
         if self._pose_due:
             self._pose_due = False
+            start = time.perf_counter()
             self.scene.pose(self._document.shown)
+            self._posed = 1000 * (time.perf_counter() - start)
         self.scene.before_frame()
 
-    def _note_time(self) -> None:
-        if self._changed_at is None:
+    def _note_time(self, drawing: float) -> None:
+        posing, self._posed = self._posed, None
+        if posing is None:
             return
+        self.frame_time = posing + drawing
         now = time.perf_counter()
-        self.frame_time = 1000 * (now - self._changed_at)
-        self._changed_at = None
         if now - self._reported_at > REPORT:
             self._reported_at = now
             self.timed.emit()
