@@ -24,6 +24,7 @@ from facemodel.system import (
     HeldFace,
     Stiffened,
     Surfaces,
+    Tissue,
     face_material,
     face_supports,
     face_surfaces,
@@ -33,8 +34,8 @@ from facemodel.system import (
     spring_coupling,
     stiffened,
 )
-from fem import FemError, SurfaceSystem
-from fem.types import FloatArray
+from fem import Assembler, FemError, SurfaceSystem
+from fem.types import FloatArray, IntArray
 
 Mix = tuple[tuple[Column, float], ...]
 """Columns and their weights that make up a field."""
@@ -87,6 +88,7 @@ class FaceSolver:
         self.work = Work()
         self._surfaces: Kept[Surfaces] = Kept()
         self._stiffened: Stiffened | None = None
+        self._tissue: Kept[Tissue] = Kept()
         self._coupling: Kept[csc_array] = Kept()
         self._system: Kept[SurfaceSystem] = Kept()
         self._columns = Columns()
@@ -140,7 +142,7 @@ class FaceSolver:
     def _held_face(self, face: Face, surfaces: Surfaces, progress: Progress, clock: Clock) -> HeldFace:
         assembler, vertices = surfaces.region.assembler, surfaces.region.vertices
         material, supports = face_material(face, vertices), face_supports(face, vertices)
-        tissue = face_tissue(face, vertices)
+        tissue = self._tissue_of(face, assembler, vertices)
         stiff = self._stiffened = stiffened(self._stiffened, assembler, material)
         coupling = self._coupling.get((assembler, tissue.blocks), lambda: spring_coupling(tissue.blocks, assembler))
         clock.lap("assembly")
@@ -155,6 +157,10 @@ class FaceSolver:
         system = self._system.get((assembler, material, tissue.blocks, supports), factorised)
         clock.lap("factorisation")
         return HeldFace(surfaces, tissue, supports, system)
+
+    def _tissue_of(self, face: Face, assembler: Assembler, vertices: IntArray) -> Tissue:
+        made_from = (assembler, face.layers.stiffness, face.skull.anchors, face.skull.jawbone)
+        return self._tissue.get(made_from, lambda: face_tissue(face, vertices))
 
     def _solve_columns(
         self, project: Project, made_of: Mapping[str, Recipe], held: HeldFace, progress: Progress

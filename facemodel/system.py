@@ -137,16 +137,17 @@ def face_supports(face: Face, vertices: IntArray) -> Supports:
 
 def stiffened(kept: Stiffened | None, assembler: Assembler, material: Material) -> Stiffened:
     """The stiffness of a material; where a kept one is of the same surface, only what differs is integrated anew."""
-    tensors = element_tensors(assembler.surface, material)
     if kept is None or kept.assembler is not assembler:
-        everything = np.arange(assembler.surface.n_triangles)
-        return Stiffened(assembler, material, assembler.assemble(tensors), everything)
+        touched = np.arange(assembler.surface.n_triangles)
+        stiffness = assembler.assemble(element_tensors(assembler.surface, material))
+        return Stiffened(assembler, material, stiffness, touched)
     changed = np.zeros(assembler.surface.n_vertices, dtype=np.bool_)
     for layer in ("direction", "stretching", "bending"):
         changed |= (getattr(material, layer) != getattr(kept.material, layer)).any(axis=1)
     touched = np.flatnonzero(changed[assembler.surface.triangles].any(axis=1))
     if len(touched) == 0:
         return replace(kept, touched=touched)
+    tensors = element_tensors(assembler.surface, material)
     return Stiffened(assembler, material, assembler.reassemble(kept.stiffness, tensors, touched), touched)
 
 
