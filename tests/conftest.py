@@ -14,7 +14,8 @@ _before = pytest.StashKey[dict[str, str | None]]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Point the user's folders at scratch ones before anything is imported that reads them."""
+    """Point the user's folders at scratch ones before anything is imported that reads them; one thread, as in `ui`."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     scratch = Path(tempfile.mkdtemp(prefix="risorius-tests-"))
     config.stash[_scratch] = scratch
     config.stash[_before] = {name: os.environ.get(name) for name in _OWN_FOLDERS}
