@@ -1,5 +1,6 @@
 """Small skins on which muscles and tissue can be computed by hand."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,11 @@ def fibre_muscle(fibres: list[tuple[list[float], list[float]]], **changes: Any) 
     central = tuple(Fibre(np.array(origin), np.array(attachment)) for origin, attachment in fibres)
     values = {"width": 8.0, "kappa": 1.0, "strength": 1.0, "count": 50} | changes
     return Muscle("strap", "L", "Musculus", "cheek", "fibre", central, None, **values)
+
+
+def bent_muscle(fibres: list[tuple[FloatArray, FloatArray, tuple[FloatArray, ...]]], like: Muscle) -> Muscle:
+    """Return a muscle of bent fibres given as (origin, attachment, via) with the values of another one."""
+    return replace(like, fibres=tuple(Fibre(*fibre) for fibre in fibres))
 
 
 def ring_muscle(ring: Sphincter | None, model: str = "sphincter", **changes: Any) -> Muscle:
