@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg.blas import saxpy, sgemv
 from scipy.spatial.transform import Rotation
 
 from facemodel.actions import Expression
 from facemodel.basis import Basis
 from facemodel.face import Face, Jaw
+from facemodel.field_sum import add_field, sum_fields
 from facemodel.glide import LidGlide
 from fem.types import Float32Array, FloatArray
 
 REFRESH_AFTER = 256
 """Increments of one weight after which the sum is formed anew, so that float32 rounding cannot pile up."""
-
-FEW = 0.4
-"""Share of active fields up to which adding them one by one beats the product with all of them (measured)."""
 
 SMALLEST_NORMAL = np.float32(1e-12)
 """Guards the division where a surface folds onto itself and its normal vanishes."""
@@ -131,22 +128,12 @@ class Superposition:
         return lids
 
     def _add(self, row: int, weight: float) -> None:
-        saxpy(self.basis.fields[row], self._buffer, n=self._live, a=weight)
-        saxpy(self.basis.slopes[row], self._slopes, a=weight)
+        add_field(self._buffer, self.basis.fields[row], weight)
+        add_field(self._slopes, self.basis.slopes[row], weight)
 
     def _sum(self, weights: Float32Array) -> None:
-        self._buffer[: self._live] = self._rest
-        self._slopes[:] = self._rest_slopes
-        active = np.flatnonzero(weights)
-        if len(active) <= FEW * len(weights):
-            for row in active:
-                self._add(int(row), float(weights[row]))
-            return
-        for matrix, total in (
-            (self.basis.fields, self._buffer[: self._live]),
-            (self.basis.slopes, self._slopes),
-        ):
-            sgemv(1.0, matrix.T, weights, beta=1.0, y=total, overwrite_y=True)
+        sum_fields(self._buffer[: self._live], self._rest, self.basis.fields, weights)
+        sum_fields(self._slopes, self._rest_slopes, self.basis.slopes, weights)
 
     def _turn_normals(self) -> None:
         """Normals of the moving skin as the cross product of its slopes; at rest the very ones of the display."""
