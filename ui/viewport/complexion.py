@@ -16,7 +16,7 @@ Colour = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Palette:
-    """Colours 0..1 (sRGB) of one person."""
+    """Colours 0..1 (sRGB) of one person; ``iris`` is what the middle of an iris is tinted to."""
 
     skin: Colour
     pale: Colour
@@ -25,6 +25,7 @@ class Palette:
     lids: Colour
     lash_line: Colour
     hair: Colour
+    iris: Colour
 
 
 FAIR = Palette(
@@ -35,6 +36,7 @@ FAIR = Palette(
     lids=(0.700, 0.490, 0.430),
     lash_line=(0.300, 0.180, 0.150),
     hair=(0.205, 0.140, 0.105),
+    iris=(0.395, 0.380, 0.255),
 )
 LIGHT_OLIVE = Palette(
     skin=(0.840, 0.675, 0.545),
@@ -44,6 +46,7 @@ LIGHT_OLIVE = Palette(
     lids=(0.700, 0.510, 0.420),
     lash_line=(0.260, 0.160, 0.130),
     hair=(0.095, 0.075, 0.070),
+    iris=(0.270, 0.170, 0.085),
 )
 TANNED = Palette(
     skin=(0.790, 0.595, 0.490),
@@ -53,6 +56,7 @@ TANNED = Palette(
     lids=(0.640, 0.435, 0.370),
     lash_line=(0.270, 0.160, 0.130),
     hair=(0.170, 0.120, 0.095),
+    iris=(0.350, 0.385, 0.365),
 )
 DEEP = Palette(
     skin=(0.430, 0.285, 0.215),
@@ -61,7 +65,8 @@ DEEP = Palette(
     lips=(0.400, 0.215, 0.200),
     lids=(0.320, 0.200, 0.155),
     lash_line=(0.110, 0.070, 0.055),
-    hair=(0.120, 0.110, 0.105),
+    hair=(0.350, 0.310, 0.280),
+    iris=(0.235, 0.145, 0.075),
 )
 PALETTES: Mapping[str, Palette] = {"ada": FAIR, "ben": TANNED, "chen": LIGHT_OLIVE, "dayo": DEEP}
 """By the key of a face; any other face is fair."""

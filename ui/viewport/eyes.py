@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from facemodel.eyeball import eyeball
+from facemodel.eyeball import EyeballMesh, Region, eyeball
 from facemodel.face import Eye
 from fem.types import Float32Array, FloatArray
+from ui.viewport.complexion import Colour
 from ui.viewport.lids import LidLine
 from ui.viewport.look import bytes_of
 from ui.viewport.shading import EYE, apply, glaze
@@ -16,6 +17,8 @@ from ui.viewport.surface import Surface
 UPPER_SHADE, UPPER_REACH = 0.80, 2.6
 LOWER_SHADE, LOWER_REACH = 0.35, 1.0
 """How much light the lids take at their margin, and over how many millimetres that fades."""
+TINT = 0.9
+"""How fully an iris takes the colour of its owner; the rest keeps the play between hazel and grey."""
 CORNER_REACH = 2.5
 """Millimetres over which the corners of the eye fall into shade."""
 
@@ -28,7 +31,7 @@ class EyeInLids:
     ball, film : what VTK draws
     """
 
-    def __init__(self, eye: Eye, lids: LidLine) -> None:
+    def __init__(self, eye: Eye, lids: LidLine, iris: Colour) -> None:
         made = eyeball(eye)
         mesh, index = made.opaque
         shell, shell_index = made.cornea
@@ -36,7 +39,7 @@ class EyeInLids:
             mesh.positions.astype(np.float32),
             made.normals[index].astype(np.float32),
             mesh.triangles,
-            bytes_of(made.colours[index]),
+            bytes_of(tinted(made, iris)[index]),
         )
         apply(self.ball.actor, EYE, openness=True)
         self.ball.actor.ForceOpaqueOn()
@@ -66,6 +69,16 @@ class EyeInLids:
         if colours is not None:
             colours[self._front, 3] = np.clip(255 * lid_light(self._at, margin), 0, 255)
             self.ball.recoloured()
+
+
+def tinted(made: EyeballMesh, iris: Colour) -> FloatArray:
+    """Colours (N, 4) of an eyeball whose iris has another colour, with its fibres and rings as bright as before."""
+    colours = made.colours.copy()
+    chosen = np.unique(made.mesh.triangles[made.regions == Region.IRIS])
+    fibres = colours[chosen, :3]
+    middle = np.median(fibres, axis=0)
+    colours[chosen, :3] = np.clip(fibres * (np.array(iris) / middle) ** TINT, 0.0, 1.0)
+    return colours
 
 
 def lid_light(places: FloatArray, margin: FloatArray) -> FloatArray:

@@ -9,7 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from facemodel.face import Part
 from facemodel.superposition import Superposition
 from ui.viewport.eyes import EyeInLids
-from ui.viewport.lashes import ROOT_LIFT, Lashes
+from ui.viewport.lashes import Lashes
 from ui.viewport.lids import lid_line
 from ui.viewport.look import look_of
 from ui.viewport.neck import neck_cap, neck_cut
@@ -38,7 +38,7 @@ class Figure:
         face, display = posed.face, posed.basis.display
         self._look = look_of(face)
         self.skin = Skin(posed, self._look)
-        self.eyes = tuple(EyeInLids(eye, lid_line(display, eye, 0.0)) for eye in face.eyes)
+        self.eyes = tuple(EyeInLids(eye, lid_line(display, eye), self._look.palette.iris) for eye in face.eyes)
         self.lashes: list[Lashes] = []
         self.cut = neck_cut(face)
         self._carried: list[Surface] = []
@@ -103,6 +103,6 @@ class Figure:
         """Grow lashes on the lids of the eye that a part of lashes lies on."""
         side = "L" if part.mesh.positions[:, 0].mean() > 0 else "R"
         eye = next(eye for eye in self.posed.face.eyes if eye.side == side)
-        roots = lid_line(self.posed.basis.display, eye, ROOT_LIFT)
+        roots = lid_line(self.posed.basis.display, eye)
         if roots.closed:
             self.lashes.append(Lashes(eye, roots, self.posed.points, self._look.palette.hair))

@@ -16,8 +16,6 @@ LENGTH = {"upper": 7.6, "lower": 3.4}
 SEGMENTS = 5
 ROOT_WIDTH = {"upper": 0.24, "lower": 0.15}
 """Millimetres; a hair is thinner, but several grow together."""
-ROOT_LIFT = 0.6
-"""Millimetres above the eyeball at which lashes leave the lid."""
 
 
 class Lashes:

@@ -1,22 +1,22 @@
-"""The edge of the lids: where the skin leaves the eyeball, as a closed line that moves with the skin."""
+"""The edge of the lids: where their margin turns into their front, as a closed line that moves with the skin."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+import igl
 import numpy as np
 
 from facemodel.display import DisplaySurface
 from facemodel.face import Eye
-from fem.types import BoolArray, Float32Array, FloatArray, IntArray
+from fem.types import Float32Array, FloatArray, IntArray
 
 NEAR = 1.6
 """Radii of the eyeball within which its lids lie."""
-REACH, FOLD = 5, 0.8
-"""Points to both sides that are compared, and how many millimetres farther out one may lie."""
-
-FEWEST = 12
-"""Points of a line that goes round an eye."""
+SECTIONS = 80
+"""Half-planes through the opening in each of which the edge is found."""
+BEYOND = 3.0
+"""Millimetres farther out than the opening at which the edge may lie; cheek and nose begin there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +36,7 @@ class LidLine:
     @property
     def closed(self) -> bool:
         """Whether there are lids at all; a scan without openings has none."""
-        return len(self.start) >= FEWEST
+        return len(self.start) > 0
 
     def places(self, points: Float32Array) -> FloatArray:
         """The line (n, 3) on the posed skin ``points`` (P, 3), in order round the eye."""
@@ -44,37 +44,42 @@ class LidLine:
         return np.asarray(points[self.start] * (1 - share) + points[self.stop] * share, dtype=np.float64)
 
 
-def lid_line(display: DisplaySurface, eye: Eye, lift: float) -> LidLine:
-    """Where the resting lids stand ``lift`` millimetres above the eyeball.
+def lid_line(display: DisplaySurface, eye: Eye) -> LidLine:
+    """The edge of the resting lids of an eye; empty if the skin has no opening there.
 
-    Parameters
-    ----------
-    display : the drawn skin
-    eye : the eyeball that the lids lie on
-    lift : zero for the line at which the eye becomes visible, more for one farther out on the lids
+    In every section through the opening the edge is the place of the lid that stands out most inwards and forwards.
     """
-    offset = display.points - eye.centre
-    radius = np.linalg.norm(offset, axis=1)
-    near = (radius < NEAR * eye.radius) & (offset[:, 2] > 0.2 * eye.radius)
+    opening = _opening(display, eye)
+    if opening is None:
+        return LidLine(*(np.zeros(0, dtype=np.int64) for _ in "ab"), np.zeros(0))
+    offset = display.points.astype(np.float64) - [*opening[:2], eye.centre[2]]
+    near = (np.linalg.norm(offset, axis=1) < NEAR * eye.radius) & (offset[:, 2] > 0.2 * eye.radius)
     triangles = display.triangles[near[display.triangles].all(axis=1)]
     edges = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
-    height = radius - eye.radius - lift
-    low, high = np.sort(height[edges], axis=1).T
-    crossed = edges[(low < 0) & (high >= 0)]
-    a, b = height[crossed].T
-    share = a / (a - b)
-    if len(crossed) < FEWEST:
-        return LidLine(crossed[:0, 0], crossed[:0, 1], share[:0])
-    places = display.points[crossed[:, 0]] * (1 - share)[:, None] + display.points[crossed[:, 1]] * share[:, None]
-    middle = (places.min(axis=0) + places.max(axis=0)) / 2
-    order = np.argsort(np.arctan2(places[:, 1] - middle[1], places[:, 0] - middle[0]))
-    order = order[_innermost(np.linalg.norm(places[order] - middle, axis=1))]
-    return LidLine(crossed[order, 0], crossed[order, 1], share[order])
+    found = [_edge_in_section(offset, edges, turn) for turn in 2 * np.pi * np.arange(SECTIONS) / SECTIONS]
+    start, stop, share = np.array([place for place in found if place is not None]).reshape(-1, 3).T
+    return LidLine(start.astype(np.int64), stop.astype(np.int64), share)
 
 
-def _innermost(distance: FloatArray) -> BoolArray:
-    """Which points of a closed line (n,) are not behind a nearer stretch of it: where the lid lies flat on the
-    eyeball, the height is met more than once.
-    """
-    around = np.stack([np.roll(distance, k) for k in range(-REACH, REACH + 1)])
-    return np.asarray(distance < around.min(axis=0) + FOLD)
+def _opening(display: DisplaySurface, eye: Eye) -> FloatArray | None:
+    """The middle (3,) of the opening of the skin before an eye."""
+    middles = [display.points[loop].mean(axis=0) for loop in igl.boundary_loop_all(display.triangles)]
+    nearest = min(middles, key=lambda middle: float(np.linalg.norm(middle - eye.centre)))
+    return nearest if np.linalg.norm(nearest - eye.centre) < NEAR * eye.radius else None
+
+
+def _edge_in_section(offset: FloatArray, edges: IntArray, turn: float) -> tuple[float, float, float] | None:
+    """The mesh edge and the share along it where the lid's edge crosses a half-plane at an angle about +z."""
+    across = offset[:, 1] * np.cos(turn) - offset[:, 0] * np.sin(turn)
+    outward = offset[:, 0] * np.cos(turn) + offset[:, 1] * np.sin(turn)
+    a, b = across[edges].T
+    met = edges[(a < 0) != (b < 0)]
+    share = across[met[:, 0]] / (across[met[:, 0]] - across[met[:, 1]])
+    distance = outward[met[:, 0]] * (1 - share) + outward[met[:, 1]] * share
+    height = offset[met[:, 0], 2] * (1 - share) + offset[met[:, 1], 2] * share
+    before = distance > 0
+    if not before.any():
+        return None
+    lid = before & (distance < distance[before].min() + BEYOND)
+    chosen = int(np.where(lid, height - distance, -np.inf).argmax())
+    return float(met[chosen, 0]), float(met[chosen, 1]), float(share[chosen])

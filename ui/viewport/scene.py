@@ -6,6 +6,7 @@ It draws nothing by itself: whoever changes it asks for a picture afterwards, at
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 import pyvista as pv
@@ -251,8 +252,9 @@ def _painted(state: ViewState) -> tuple[bool, bool, str]:
     return state.influence, state.supports, state.muscle
 
 
+@lru_cache(maxsize=2)
 def neutral_basis(project: Project) -> Basis:
-    """A basis without fields, on which the neutral face can be drawn before anything is solved."""
+    """A basis without fields, on which the neutral face can be drawn before anything is solved; remembered."""
     face, settings = project.face, project.settings
     display = display_surface(face, head_surface(face, ELEMENTS[settings.element]), settings.density)
     carried = sum(count for _, count in display.carried)
