@@ -1,28 +1,97 @@
-"""When two projects are the same, and for what.
+"""When two projects are the same, for what, and what is different between them.
 
-Faces and muscles are frozen and shared between projects, so they are the same when they are the same objects.
+Faces, muscles, units and arrays are frozen and shared between projects: the same object is the same, and only
+what is another object is compared.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import TypeVar
+
+from app.commands.content import emotion_name, muscle_name, unit_name
+from app.commands.painting import ARRAY_NAMES, ON_SKULL, ArrayName, changed_rows, layer_array
+from facemodel.face import Face
 from facemodel.project import Project
+from facemodel.sameness import same
+from fem.types import IntArray
+
+Item = TypeVar("Item")
+
+PAINTED_ON = {"layers", "skull"}
+"""Members of a face that change by painting and shaping; the others make it another head."""
 
 
-def same_solution(one: Project, other: Project) -> bool:
-    """Whether both have the same displacement fields: everything that is solved is the same."""
-    return (
-        one.face is other.face
-        and one.muscles == other.muscles
-        and one.units == other.units
-        and one.settings == other.settings
+@dataclass(frozen=True, eq=False)
+class Changes:
+    """What is different between two projects.
+
+    Attributes
+    ----------
+    whole : another head, or other settings; all the rest is then to be made anew and is not told apart
+    layers : by painted array, the skin vertices that have other values
+    skull : whether the bones or the hinge of the jaw are others
+    muscles, units, emotions : keys, numbers and names of those that changed, came, went or stand elsewhere
+    """
+
+    whole: bool = False
+    layers: Mapping[ArrayName, IntArray] = field(default_factory=dict)
+    skull: bool = False
+    muscles: frozenset[str] = frozenset()
+    units: frozenset[int] = frozenset()
+    emotions: frozenset[str] = frozenset()
+
+    def __bool__(self) -> bool:
+        return bool(self.whole or self.layers or self.skull or self.muscles or self.units or self.emotions)
+
+
+def changes(before: Project, after: Project) -> Changes:
+    """What is different between two projects beside the expression."""
+    if not same_head(before.face, after.face) or before.settings != after.settings:
+        return Changes(whole=True)
+    return Changes(
+        layers=_painted(before.face, after.face),
+        skull=_other_bones(before.face, after.face),
+        muscles=_moved(before.muscles, after.muscles, muscle_name),
+        units=frozenset(map(int, _moved(before.units, after.units, unit_name))),
+        emotions=_moved(before.emotions, after.emotions, emotion_name),
     )
 
 
-def same_but_expression(one: Project, other: Project) -> bool:
-    """Whether at most the expression differs."""
-    return same_solution(one, other) and one.emotions == other.emotions
+def same_head(one: Face, other: Face) -> bool:
+    """Whether two faces differ at most in what is painted on them and in the bone below."""
+    if one is other:
+        return True
+    kept = (each.name for each in fields(one) if each.name not in PAINTED_ON)
+    return all(same(getattr(one, name), getattr(other, name)) for name in kept)
 
 
 def same_content(one: Project, other: Project) -> bool:
     """Whether both would be saved alike."""
-    return same_but_expression(one, other) and one.expression == other.expression
+    return all(same(getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
+
+
+def _painted(before: Face, after: Face) -> dict[ArrayName, IntArray]:
+    if before is after:
+        return {}
+    rows = {name: changed_rows(layer_array(before, name), layer_array(after, name)) for name in ARRAY_NAMES}
+    return {name: indices for name, indices in rows.items() if len(indices)}
+
+
+def _other_bones(before: Face, after: Face) -> bool:
+    if before.skull is after.skull:
+        return False
+    bones = (each.name for each in fields(before.skull) if each.name not in ON_SKULL)
+    return not all(same(getattr(before.skull, name), getattr(after.skull, name)) for name in bones)
+
+
+def _moved(before: Sequence[Item], after: Sequence[Item], name_of: Callable[[Item], str]) -> frozenset[str]:
+    if before is after:
+        return frozenset()
+    old, new = ({name_of(item): (place, item) for place, item in enumerate(each)} for each in (before, after))
+    return frozenset(
+        name
+        for name in {**old, **new}
+        if name not in old or name not in new or old[name][0] != new[name][0] or not same(old[name][1], new[name][1])
+    )

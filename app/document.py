@@ -5,25 +5,27 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from psygnal import Signal
-
 from app.commands import Command, ReplaceProject, set_weights
-from app.differences import same_but_expression, same_content, same_solution
+from app.commands.edit import edit
+from app.differences import Changes, changes, same_content
 from app.history import History
-from app.weights import checked_weights, emotion_weights, whole_expression, with_weights
+from app.signals import DocumentSignals
+from app.solved import Solutions, Solved
+from app.weights import checked_weights, emotion_weights, in_order, whole_expression, with_weights
 from facemodel.actions import Expression
 from facemodel.errors import ProjectError
 from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
 from facemodel.projects import new_project
 from facemodel.solve import Solution
+from fem.types import Float32Array
 
 
-class Document:
+class Document(DocumentSignals):
     """A project in hand.  Everything that changes it goes through here; everyone who shows it listens.
 
-    All signals of one intent are emitted after the whole state is settled.  Intents belong to one thread.
-    Weights that are held (`preview`) when another intent comes are committed first: nothing seen is lost.
+    Intents belong to one thread.  Weights that are held (`preview`) when another intent comes are committed first:
+    nothing seen is lost.
 
     Parameters
     ----------
@@ -36,26 +38,13 @@ class Document:
         By any intent that is given what cannot be done; the document is then as it was before.
     """
 
-    project_changed = Signal(object)
-    """(Project) another face, atlas or basis settings: everything drawn is to be made anew."""
-    expression_changed = Signal(object)
-    """(Expression) what is to be shown now, `shown`."""
-    solution_changed = Signal(object)
-    """(Solution | None) another basis, or none, or the one there is has become stale or fresh."""
-    history_changed = Signal()
-    """Other steps to undo or redo."""
-    saved_changed = Signal()
-    """`path` or `dirty` may be different."""
-
     def __init__(self, project: Project, path: Path | None = None) -> None:
-        self._project = project
-        self._saved = project
+        self._project = self._saved = in_order(project)
         self._path = path
         self._history = History()
         self._held: dict[str, float] = {}
         self._shown: Expression = project.expression
-        self._solution: Solution | None = None
-        self._solved: Project | None = None
+        self._solutions = Solutions(self._project)
 
     @property
     def project(self) -> Project:
@@ -94,13 +83,30 @@ class Document:
 
     @property
     def solution(self) -> Solution | None:
-        """The last solution for this face, even if `stale`; the last good face stays on the screen."""
-        return self._solution
+        """The last solution for this head, even if `stale`; the last good face stays on the screen."""
+        return self._solutions.last.solution if self._solutions.last else None
+
+    @property
+    def previous_solution(self) -> Solution | None:
+        """The solution for this head before the last one, to look back at; none if there was only one."""
+        return self._solutions.previous.solution if self._solutions.previous else None
 
     @property
     def stale(self) -> bool:
-        """Whether the project has to be solved: it never was, or muscles, units or settings changed since."""
-        return self._solved is None or not same_solution(self._solved, self._project)
+        """Whether the project has to be solved: it never was, or what fields depend on changed since."""
+        return self._solutions.stale
+
+    @property
+    def stale_fields(self) -> frozenset[str]:
+        """Fields that the solution does not hold for; the others can be trusted as they are drawn."""
+        return self._solutions.stale_fields
+
+    def last_change_map(self) -> Float32Array | None:
+        """How far (P,) the last solve moved every drawn point of the skin under what is shown, millimetres.
+
+        None as long as there is nothing to compare.
+        """
+        return self._solutions.last_change(self._shown)
 
     def preview(self, weights: Mapping[str, float]) -> None:
         """Show other weights without a step to undo; further calls add to those that are held."""
@@ -121,6 +127,27 @@ class Document:
         """Do a command and remember it."""
         self.commit()
         self._do(command)
+
+    def edit(self, after: Project, label: str, gesture: str = "") -> None:
+        """Go to another state of the project, as pure functions on projects give it, in one step.
+
+        Parameters
+        ----------
+        after : made of `project`
+        label : what the step is called
+        gesture : consecutive steps with the same gesture, such as one drag of a slider, become one
+        """
+        self.commit()
+        self._do(edit(self._project, after, label, gesture))
+
+    def retract(self, gesture: str) -> None:
+        """Take a gesture back that is under way, as if it had never begun; nothing if no step is of it."""
+        self.commit()
+        step = self._history.to_undo
+        if step is not None and gesture and step.gesture == gesture:
+            project = step.undo(self._project)
+            self._history.drop_last()
+            self._become(project)
 
     def undo(self) -> None:
         """Take the last step back; nothing if there is none."""
@@ -202,11 +229,9 @@ class Document:
         self.saved_changed.emit()
 
     def accept(self, solution: Solution, solved: Project) -> None:
-        """Take the solution of a snapshot; one of another face, or of an outdated project, is dropped."""
-        if not same_solution(solved, self._project):
-            return
-        self._solution, self._solved = solution, solved
-        self.solution_changed.emit(solution)
+        """Take the solution of a snapshot; one of another head, or of an outdated project, is dropped."""
+        if self._solutions.accept(Solved(solution, solved), self._project):
+            self.solution_changed.emit(solution)
 
     def _do(self, command: Command) -> None:
         if not command.changes:
@@ -219,26 +244,41 @@ class Document:
     def _begin(self, project: Project, path: Path | None) -> None:
         self._history = History()
         self._held = {}
-        self._saved, self._path = project, path
-        self._become(project)
+        self._path = path
+        self._saved = in_order(project)
+        self._become(self._saved, Changes(whole=True))
 
-    def _become(self, project: Project) -> None:
+    def _become(self, project: Project, known: Changes | None = None) -> None:
         """Take another state of the project and tell everyone what is different."""
-        before, solution, was_stale = self._project, self._solution, self.stale
+        before, stood = self._project, self._solutions.standing
         self._project = project
-        if before.face is not project.face:
-            self._solution, self._solved = None, None
-        solution_moved = self._solution is not solution or self.stale != was_stale
-        if same_but_expression(before, project):
-            self._show(project.expression)
-        else:
-            self._shown = project.expression
-            self.project_changed.emit(project)
-            if solution_moved:
-                self.solution_changed.emit(self._solution)
+        found = known or changes(before, project)
+        if found:
+            self._solutions.follow(project)
+        expression_moved, self._shown = self._shown != project.expression, project.expression
+        self._tell(found)
+        if self._solutions.standing != stood:
+            self.solution_changed.emit(self.solution)
+        if expression_moved or found.whole:
             self.expression_changed.emit(self._shown)
         self.history_changed.emit()
         self.saved_changed.emit()
+
+    def _tell(self, found: Changes) -> None:
+        if found.whole:
+            self.project_changed.emit(self._project)
+            return
+        if found.skull:
+            self.skull_changed.emit()
+        for name, vertices in found.layers.items():
+            self.layers_changed.emit(name, vertices)
+        for signal, which in (
+            (self.muscles_changed, found.muscles),
+            (self.units_changed, found.units),
+            (self.emotions_changed, found.emotions),
+        ):
+            if which:
+                signal.emit(which)
 
     def _show(self, expression: Expression) -> None:
         if expression != self._shown:

@@ -25,6 +25,7 @@ class History:
         self._done: list[Command] = []
         self._undone: list[Command] = []
         self._saved: int | None = 0
+        self._undone_before: list[Command] = []
 
     @property
     def to_undo(self) -> Command | None:
@@ -60,7 +61,9 @@ class History:
         if self._saved is not None and self._saved > len(self._done):
             self._saved = None
         joined = self._done[-1].joined(command) if self._done and not self._undone and not self.at_saved else None
-        self._undone.clear()
+        if joined is None:
+            self._undone_before = self._undone
+        self._undone = []
         if joined is not None:
             self._done.pop()
         if joined is None or joined.changes:
@@ -69,11 +72,17 @@ class History:
 
     def step_back(self) -> None:
         """Note that the last step was undone."""
+        self._undone_before = []
         self._undone.append(self._done.pop())
 
     def step_forth(self) -> None:
         """Note that the next step was done again."""
         self._done.append(self._undone.pop())
+
+    def drop_last(self) -> None:
+        """Note that the last step never was; what could be done again before it can be again."""
+        self._done.pop()
+        self._undone, self._undone_before = self._undone_before, []
 
     def mark_saved(self) -> None:
         """Note that what stands is saved."""

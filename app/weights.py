@@ -71,3 +71,10 @@ def emotion_weights(name: str, strength: float, project: Project) -> dict[str, f
     emotion = find_emotion(name, project.emotions)
     scaled = {unit: min(weight * strength, LARGEST_WEIGHT) for unit, weight in emotion.weights.items()}
     return whole_expression(checked_weights(scaled, project), project)
+
+
+def in_order(project: Project) -> Project:
+    """The project with the weights of its expression by name in order, as all commands leave them."""
+    if list(project.expression) == sorted(project.expression):
+        return project
+    return project.posed(dict(sorted(project.expression.items())))

@@ -110,6 +110,9 @@ def state_signals(context: Context) -> tuple[SignalInstance, ...]:
     document, job = context.document, context.solving.job
     return (
         document.project_changed,
+        document.muscles_changed,
+        document.units_changed,
+        document.emotions_changed,
         document.expression_changed,
         document.solution_changed,
         document.history_changed,
@@ -125,4 +128,11 @@ def state_signals(context: Context) -> tuple[SignalInstance, ...]:
 
 def table_signals(context: Context) -> tuple[SignalInstance, ...]:
     """The signals after which there may be other actions than before."""
-    return (context.document.project_changed, context.settings.changed)
+    document = context.document
+    return (
+        document.project_changed,
+        document.muscles_changed,
+        document.units_changed,
+        document.emotions_changed,
+        context.settings.changed,
+    )

@@ -17,7 +17,18 @@ from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
 from facemodel.solve import solve_project
 
-SIGNALS = ("project_changed", "expression_changed", "solution_changed", "history_changed", "saved_changed")
+SIGNALS = (
+    "project_changed",
+    "layers_changed",
+    "skull_changed",
+    "muscles_changed",
+    "units_changed",
+    "emotions_changed",
+    "expression_changed",
+    "solution_changed",
+    "history_changed",
+    "saved_changed",
+)
 
 
 @contextmanager
@@ -166,11 +177,26 @@ def test_opening_replaces_everything_and_tells_everyone(document: Document, proj
     document.preview({"12": 0.5})
     with heard(document) as names:
         document.open(file)
-    assert names == list(SIGNALS[:1] + SIGNALS[2:3] + SIGNALS[1:2] + SIGNALS[3:])
+    assert names == ["project_changed", "expression_changed", "history_changed", "saved_changed"]
     assert document.shown == {"26": 1.0}
     assert document.history.done == ()
     assert not document.held
     assert not document.dirty
+
+
+def test_opening_another_head_lets_its_solution_go_and_the_same_head_keeps_it(
+    document: Document, project: Project, other_project: Project, file: Path
+) -> None:
+    solution = solve_project(project)
+    document.accept(solution, project)
+    save_project(project, file)
+    document.open(file)
+    assert document.solution is solution
+    assert not document.stale
+    save_project(other_project, file)
+    with heard(document) as names:
+        document.open(file)
+    assert names[:2] == ["project_changed", "solution_changed"]
     assert document.solution is None
     assert document.stale
 
@@ -232,7 +258,7 @@ def test_a_changed_muscle_makes_the_solution_stale_but_keeps_the_last_good_face(
     halved = Project(project.face, project.muscles[:1], project.units[2:], ())
     with heard(document) as names:
         document.run(ReplaceProject("Remove a muscle", project, halved))
-    assert names[:2] == ["project_changed", "solution_changed"]
+    assert names[:4] == ["muscles_changed", "units_changed", "emotions_changed", "solution_changed"]
     assert document.stale
     assert document.solution is solution
     with heard(document) as names:

@@ -150,6 +150,7 @@ class Stiffen:
 
     factor: float
     label: str = "Stiffen"
+    gesture: str = ""
     cost: int = 8
     changes: bool = True
 

@@ -1,0 +1,30 @@
+"""What a document tells those who show it."""
+
+from __future__ import annotations
+
+from psygnal import Signal
+
+
+class DocumentSignals:
+    """The signals of a document.  All those of one intent are emitted after the whole state is settled."""
+
+    project_changed = Signal(object)
+    """(Project) another head or other settings: everything drawn is to be made anew.  What is less is told alone:"""
+    layers_changed = Signal(str, object)
+    """(name of a painted array, its skin vertices (k,) with other values)"""
+    skull_changed = Signal()
+    """The bones or the hinge of the jaw are others."""
+    muscles_changed = Signal(object)
+    """(frozenset of keys) of muscles that changed, came, went or stand elsewhere in the list."""
+    units_changed = Signal(object)
+    """(frozenset of numbers) of action units that changed, came, went or stand elsewhere in the list."""
+    emotions_changed = Signal(object)
+    """(frozenset of names) of emotions that changed, came, went or stand elsewhere in the list."""
+    expression_changed = Signal(object)
+    """(Expression) what is to be shown now, `shown`."""
+    solution_changed = Signal(object)
+    """(Solution | None) another basis, or none, or the one there is has become stale or fresh."""
+    history_changed = Signal()
+    """Other steps to undo or redo."""
+    saved_changed = Signal()
+    """`path` or `dirty` may be different."""
