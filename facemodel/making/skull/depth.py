@@ -94,8 +94,7 @@ def _extra_sites(
         sites += [(at[f"tragus_{side}"] - [0.0, 0.0, 12 * size], EAR), (at[f"ala_{side}"], NOSE)]
     sites += [(eye.centre + np.array([0.0, 0.0, eye.radius]), LID) for eye in eyes]
     sites.append((at["menton"] - [0.0, 0.0, 38 * size], SUBMENTAL))
-    rim: IntArray = skin.boundary_loops[-1]
-    low = surface.positions[rim[:: max(1, len(rim) // 16)]]
+    low = surface.positions[skin.boundary_loops[-1]]
     sites += [(point, NECK) for point in low]
     nape = low[low[:, 2] < at["tragus_L"][2]]
     sites += [(point + np.array([0.0, 35 * size, 0.0]), NECK) for point in nape]

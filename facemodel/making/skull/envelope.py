@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import igl
 import numpy as np
 from scipy.sparse import csc_array, diags_array, eye_array, vstack
 from scipy.sparse.linalg import splu
@@ -129,8 +128,3 @@ def inward(surface: Mesh) -> FloatArray:
         direction = average @ direction
         direction /= np.linalg.norm(direction, axis=1, keepdims=True)
     return direction
-
-
-def winding(surface: Mesh, points: FloatArray) -> FloatArray:
-    """Generalised winding number (n,) of a closed surface about points: near 1 inside, near 0 outside."""
-    return np.asarray(igl.fast_winding_number(surface.positions, surface.triangles, points))

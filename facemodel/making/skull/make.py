@@ -95,7 +95,8 @@ def make_skull(skin: Mesh, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) 
     frame = Frame(bone, landmarks, eyes)
     upper, lower = tooth_row(UPPER), tooth_row(LOWER)
     teeth = _joined(upper, lower)
-    placed = frame.fitted(teeth.positions, igl.vertex_components(teeth.triangles))
+    pairs = np.tile(igl.vertex_components(upper.triangles), 2)
+    placed = frame.fitted(teeth.positions, pairs)
     limits = Mesh(*igl.loop(bone.inner.positions, bone.inner.triangles, 1)), closed(skin)
     return Skull(
         _joined(_shape(cranium_field, limits, frame, CRANIUM), upper.moved(placed[: len(upper.positions)])),

@@ -16,8 +16,12 @@ from fem.types import FloatArray, IntArray
 BAND = 22.0
 """Millimetres over which the cheek passes from the cranium to the mandible."""
 
-BEHIND = 15.0, 0.2
-"""The hind border of the ramus: how far behind the tragus (millimetres), and how it runs forward going down."""
+LOBE, DROP, SLOPE = 8.0, 25.0, 0.7
+"""The hind border of the ramus runs this far before the tragus (millimetres) down to the lobe of the ear, this far
+below it, and from there backwards to the neck at this slope."""
+
+FREE_CORNER = 0.7
+"""Beyond this share of the mouth's half width the lips pass gradually from one jaw to the other."""
 
 NEAR_BORDER, FADE = 10.0, 34.0
 """Below the lower border the skin follows the jaw this far, and lets go of it over this length (millimetres)."""
@@ -63,13 +67,15 @@ def jaw_share(skin: Mesh, landmarks: Mapping[str, int]) -> FloatArray:
     ear = ears.mean(axis=0)
     normal = np.cross(ears[0] - ears[1], corners.mean(axis=0) - ear)
     below = (p - ear) @ normal / np.linalg.norm(normal)
-    hind = p[:, 2] - ear[2] + BEHIND[0] * face_size(skin, landmarks) - BEHIND[1] * (ear[1] - p[:, 1])
+    size = face_size(skin, landmarks)
+    under = np.maximum(ear[1] - p[:, 1] - DROP * size, 0)
+    hind = p[:, 2] - ear[2] - LOBE * size + SLOPE * under
     territory = np.minimum(below, hind)
     fixed = np.abs(territory) > BAND / 2
     value = (territory > 0).astype(np.float64)
     corner_x = abs(skin.positions[landmarks["mouth_corner_L"], 0])
     for lip, share in zip(lips(skin, landmarks), (0.0, 1.0), strict=True):
-        held = lip[np.abs(skin.positions[lip, 0]) < 0.85 * corner_x]
+        held = lip[np.abs(skin.positions[lip, 0]) < FREE_CORNER * corner_x]
         fixed[held], value[held] = True, share
     free = ~fixed
     degree = np.asarray(skin.adjacency.sum(axis=1)).ravel()

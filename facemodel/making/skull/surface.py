@@ -49,7 +49,7 @@ class Grid:
     def refined(self, values: FloatArray) -> FloatArray:
         """Values (n,) on this grid carried to the halved one by cubic splines."""
         cube = values.reshape(self.size[::-1])
-        return np.asarray(zoom(cube, [(2 * n - 1) / n for n in cube.shape], order=3, mode="nearest")).ravel()
+        return np.asarray(zoom(cube, [(2 * n - 1) / n for n in cube.shape], order=3, mode="mirror")).ravel()
 
 
 def largest_piece(mesh: Mesh) -> Mesh:
