@@ -22,6 +22,9 @@ ONE_POINT = 0.5
 SQUARE = 0.02
 """Cosine between the half axes of a ring that still counts as a right angle."""
 
+FEW = 8
+"""Generated fibres that are enough to tell whether a muscle reaches the skin."""
+
 THINNEST = 0.5
 """Millimetres of the smallest half axis of a ring."""
 
@@ -53,7 +56,7 @@ def reaches_skin(muscle: Muscle, face: Face) -> bool:
     """Whether fibres act on any vertex at all when they contract; a ring lies on the skin if it is placed well."""
     if MODELS[muscle.model].geometry != "fibres":
         return True
-    contracted = replace(muscle, strength=1.0, cosine=replace(cosine_of(muscle), share=1.0))
+    contracted = replace(muscle, strength=1.0, count=FEW, cosine=replace(cosine_of(muscle), share=1.0))
     return bool(muscle_action(contracted, face).any())
 
 
@@ -126,16 +129,21 @@ def _profile_complaints(name: str, parameter: ProfileParameter, profile: Profile
 
 
 def _place_complaints(muscle: Muscle, face: Face) -> Iterator[str]:
-    for number, fibre in enumerate(muscle.fibres, start=1):
-        out = outside_head(face, fibre.points)
-        names = ("its origin", *["a point between its ends"] * len(fibre.via), "its attachment")
-        yield from (
-            f"Fibre {number} of “{muscle.key}” has {name} outside the head; drag it in."
-            for name, is_out in zip(names, out, strict=True)
-            if is_out
-        )
+    places = [
+        (number, name, point)
+        for number, fibre in enumerate(muscle.fibres, start=1)
+        for name, point in zip(_names_of_points(fibre), fibre.points, strict=True)
+    ]
+    out = outside_head(face, np.array([point for *_, point in places]).reshape(-1, 3))
+    for (number, name, _), is_out in zip(places, out, strict=True):
+        if is_out:
+            yield f"Fibre {number} of “{muscle.key}” has {name} outside the head; drag it in."
     if muscle.ring is not None and not _about_skin(muscle.ring, face):
         yield f"The ring of “{muscle.key}” lies away from the skin; drag its middle to the face."
+
+
+def _names_of_points(fibre: Fibre) -> tuple[str, ...]:
+    return ("its origin", *["a point between its ends"] * len(fibre.via), "its attachment")
 
 
 def _about_skin(ring: Sphincter, face: Face) -> bool:

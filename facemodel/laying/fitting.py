@@ -44,18 +44,23 @@ def fitted(muscle: Muscle, warp: Warp, target: Face, source: Face | None = None)
 
     Ends come to lie on what they lay on in ``source``: a vertex of the skin, the bone under one, skin or bone
     elsewhere; without a source, origins go to the bone and attachments to vertices.  The width grows with the
-    head about the middle of the muscle; strength, kappa and count stay.
+    head about the attachments; strength, kappa and count stay.
     """
     ring = None if muscle.ring is None else _fitted_ring(muscle.ring, warp)
     fibres = tuple(_fitted_fibre(fibre, warp, target, source) for fibre in muscle.fibres)
-    middle = np.mean([fibre.attachment for fibre in muscle.fibres] or [_centre(muscle)], axis=0)
-    scale = warp.scale(middle) if muscle.fibres or muscle.ring is not None else 1.0
+    scale = _scale(muscle, ring, warp)
     cosine = None if muscle.cosine is None else replace(muscle.cosine, box=muscle.cosine.box * scale)
     return replace(muscle, fibres=fibres, ring=ring, width=muscle.width * scale, cosine=cosine)
 
 
-def _centre(muscle: Muscle) -> FloatArray:
-    return np.zeros(3) if muscle.ring is None else muscle.ring.centre
+def _scale(muscle: Muscle, ring: Sphincter | None, warp: Warp) -> float:
+    """How much the skin grows that a muscle moves: that about its attachments, or its ring itself."""
+    if muscle.ring is not None and ring is not None:
+        before, after = (np.linalg.norm(np.cross(each.long_axis, each.short_axis)) for each in (muscle.ring, ring))
+        return float(np.sqrt(after / before))
+    if not muscle.fibres:
+        return 1.0
+    return warp.scale(np.mean([fibre.attachment for fibre in muscle.fibres], axis=0))
 
 
 def _fitted_fibre(fibre: Fibre, warp: Warp, target: Face, source: Face | None) -> Fibre:

@@ -88,7 +88,9 @@ def outside_head(face: Face, points: FloatArray) -> BoolArray:
     Told by the generalised winding number, which sees through eyes, mouth and neck where the skin is open.
     """
     asked = np.ascontiguousarray(np.atleast_2d(points), dtype=np.float64)
-    turns = np.asarray(igl.winding_number(face.skin.positions, face.skin.triangles, asked))
+    if not len(asked):
+        return np.zeros(0, dtype=np.bool_)
+    turns = np.asarray(igl.fast_winding_number(face.skin.positions, face.skin.triangles, asked))
     return (turns < OUTSIDE) & (nearest(face.skin, asked)[2] > ON_SKIN)
 
 

@@ -77,9 +77,12 @@ def with_axis(muscle: Muscle, axis: Axis, tip: FloatArray) -> Muscle:
 
 
 def _carried(before: FloatArray, after: FloatArray, other: FloatArray) -> FloatArray:
-    """Another half axis after the smallest turn that takes one half axis to where it is dragged."""
+    """Another half axis after the smallest turn that takes one half axis to where it is dragged.
+
+    Half a turn is made about the ring's normal, so that the ring still faces outward.
+    """
     a, b = before / np.linalg.norm(before), after / np.linalg.norm(after)
     axis, cosine = np.cross(a, b), float(a @ b)
     if cosine < -1 + TOO_SHORT:
-        return other
+        return np.negative(other)
     return np.asarray(other * cosine + np.cross(axis, other) + axis * (axis @ other) / (1 + cosine))

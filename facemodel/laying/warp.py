@@ -15,6 +15,8 @@ from fem.types import FloatArray
 FEWEST = 4
 """Landmarks that two heads must share: as many as decide an affine map."""
 
+CORNERS = ("mouth_corner_L", "mouth_corner_R")
+
 FLATTEST = 0.02
 """Smallest extent of the landmarks over their largest below which they lie in a plane."""
 
@@ -23,9 +25,16 @@ STEP = 1.0
 
 
 def control_points(face: Face) -> dict[str, FloatArray]:
-    """Places (2, 3) of a head by name: each landmark on the skin and the bone under it, and the eyeballs."""
+    """Places (2, 3) of a head by name: each landmark on the skin and the bone under it, the eyeballs and the mouth.
+
+    The middle of the mouth, between its corners, is where sphincters hang that no other place holds.
+    """
     places = {name: np.array([face.skin.positions[v], face.skull.anchors[v]]) for name, v in face.landmarks.items()}
-    return places | {f"eyeball {eye.side}": np.tile(eye.centre, (2, 1)) for eye in face.eyes}
+    places |= {f"eyeball {eye.side}": np.tile(eye.centre, (2, 1)) for eye in face.eyes}
+    if places.keys() >= set(CORNERS):
+        middle = np.mean([places[name][0] for name in CORNERS], axis=0)
+        places["mouth"] = np.tile(middle, (2, 1))
+    return places
 
 
 @dataclass(frozen=True, eq=False)

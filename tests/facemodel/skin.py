@@ -51,3 +51,8 @@ def at(skin: Mesh, *place: float) -> int:
 def sizes(forces: FloatArray) -> FloatArray:
     """Return the length of every force."""
     return np.asarray(np.linalg.norm(forces, axis=1))
+
+
+def by(*step: float) -> FloatArray:
+    """Return a step (3,) to add to a place."""
+    return np.array(step, dtype=np.float64)
