@@ -151,7 +151,7 @@ def test_a_handle_that_is_dragged_to_where_it_is_changes_nothing_that_acts(proje
             assert after.point == pytest.approx(before.point, abs=1e-6)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.integers(0, 10**6))
 def test_a_dragged_handle_goes_where_it_is_dragged_or_snaps(project: Project, seed: int) -> None:
     face, rng = project.face, np.random.default_rng(seed)

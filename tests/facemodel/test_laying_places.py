@@ -44,7 +44,7 @@ def test_two_meshes_keep_their_own_trees() -> None:
     assert nearest(first, point)[2][0] == pytest.approx(0.0)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(seeds)
 def test_snapping_goes_to_what_is_nearest_and_again_to_the_same(face: Face, seed: int) -> None:
     point = near_head(seed)[0]
@@ -56,7 +56,7 @@ def test_snapping_goes_to_what_is_nearest_and_again_to_the_same(face: Face, seed
     assert on_skin(face, slid, "surface") == pytest.approx(slid, abs=1e-9)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(seeds)
 def test_a_point_on_the_bone_lies_on_the_nearer_bone(face: Face, seed: int) -> None:
     point = near_head(seed)[0]
@@ -89,7 +89,7 @@ def test_bone_and_brain_are_inside_the_head_and_the_air_is_not(face: Face) -> No
     assert outside_head(face, np.array([tip + by(0, 0, 5.0), tip + by(0, 40.0, 40.0), [0, 0, 300.0]])).all()
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(seeds, st.sampled_from(["vertex", "foot", "free"]))
 def test_mirrored_twice_is_where_it_was(face: Face, seed: int, kind: str) -> None:
     vertex = seed % len(face.skin.positions)

@@ -41,7 +41,7 @@ def test_every_shipped_muscle_mirrored_is_its_shipped_partner(project: Project) 
             assert close(mirrored(muscle, project.face), other, 0.5), muscle.key
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.integers(0, 10**6))
 def test_mirrored_twice_is_the_muscle_itself(project: Project, seed: int) -> None:
     rng = np.random.default_rng(seed)
