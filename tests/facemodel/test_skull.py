@@ -75,7 +75,7 @@ def test_springs_of_neighbours_agree_and_both_sides_are_alike(shipped: Shipped, 
     i, j = face.skin.edges.T
     turn = np.degrees(np.arccos(np.clip((down[i] * down[j]).sum(axis=1), -1, 1)))
     assert np.quantile(turn, 0.99) < 25
-    chin, ear = (face.skin.positions[face.landmarks[name]] for name in ("menton", "tragus_L"))
+    chin, ear = (face.skin.positions[face.landmarks[name]] for name in ("pogonion", "tragus_L"))
     before_the_ears = (face.skin.positions > [-np.inf, chin[1], ear[2]]).all(axis=1)
     assert np.abs(anchors[face.mirror] * [-1, 1, 1] - anchors)[before_the_ears].max() < 0.2
 
