@@ -13,13 +13,24 @@ from fem.types import FloatArray
 SHARE = 0.3
 """Part of the way to the point of attraction at full contraction: a living muscle shortens by about a third."""
 
+FOLDS = 2 / np.pi
+"""Radii that the point of application may go before the skin behind it folds over: the cosine is steepest, pi / 2R,
+half way out."""
+
 FACTORS = (0.4, 0.4, 0.0)
 """K of a ring in its plane and along its normal."""
 
 
 def cosine_of(muscle: Muscle) -> Cosine:
-    """Bounding box and factors of a muscle; by default the box holds the whole radius, as the authors advise."""
-    return muscle.cosine or Cosine(np.full(3, radius(muscle)), SHARE, np.array(FACTORS))
+    """Bounding box and factors of a muscle.
+
+    By default the box holds the whole radius, as the authors advise, and no fibre goes so far that skin folds.
+    """
+    if muscle.cosine is not None:
+        return muscle.cosine
+    longest = max((float(np.linalg.norm(f.origin - f.attachment)) for f in muscle.fibres), default=0.0)
+    share = min(SHARE, FOLDS * radius(muscle) / longest) if longest > 0 else SHARE
+    return Cosine(np.full(3, radius(muscle)), share, np.array(FACTORS))
 
 
 def radius(muscle: Muscle) -> float:

@@ -193,6 +193,15 @@ def test_a_share_of_one_takes_the_attachment_to_the_origin(share: float) -> None
     assert moved[at(skin, 0, -8, 0)] == pytest.approx(share * np.array([0, 28, 4]), abs=1e-12)
 
 
+@given(st.floats(4.0, 40.0))
+def test_by_default_the_skin_does_not_fold_over_itself(width: float) -> None:
+    skin = flat_skin(segments=60)
+    moved = skin.positions + cosine_displacements(pseudo(width=width, cosine=None), skin)
+    assert skin.moved(moved).triangle_normals[:, 2].min() > 0.0
+    far = cosine_displacements(pseudo(width=width, cosine=Cosine(np.full(3, width), 1.0, np.zeros(3))), skin)
+    assert skin.moved(skin.positions + far).triangle_normals[:, 2].min() < 0.0, "all the way it would"
+
+
 def ring_pseudo(factors: tuple[float, float, float]) -> Muscle:
     return replace(
         ring_muscle(RING, "cosine_ring", width=4.0), cosine=Cosine(np.full(3, 40.0), 0.25, np.array(factors))
