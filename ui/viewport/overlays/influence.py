@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from facemodel.muscles.models import MODELS
 from fem.types import Float32Array
 from ui.viewport.colour_map import cividis
 from ui.viewport.complexion import smooth
@@ -28,7 +29,8 @@ class InfluenceOverlay(Overlay):
         muscle = muscle_named(drawn.project, drawn.muscle)
         if muscle is not None:
             top = float(muscle_pull(muscle, drawn.project.face).max())
-            self.add(legend("Pull, kPa", KPA * top))
+            moves = MODELS[muscle.model].action == "displacement"
+            self.add(legend("Way, mm", top) if moves else legend("Pull, kPa", KPA * top))
 
 
 def influence_paint(drawn: Drawn) -> Float32Array | None:
