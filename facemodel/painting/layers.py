@@ -1,0 +1,118 @@
+"""The layers of a face that can be painted: what they are called, their units and ranges, and how they are changed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facemodel.face import Layers
+from facemodel.mesh import Mesh
+from facemodel.painting.delta import LayerDelta, Member, layer_delta
+from facemodel.painting.frames import angle_of, direction_at, doubled, line_at, tangent_frames, wrapped
+from facemodel.painting.geodesic import SurfacePoint
+from fem import Support
+from fem.types import FloatArray, IntArray
+
+Kind = Literal["amount", "angle", "choice"]
+
+
+@dataclass(frozen=True)
+class PaintLayer:
+    """One number per skin vertex that a brush can paint.
+
+    Attributes
+    ----------
+    key : its name in code and files
+    title : what people read
+    unit : of its values; empty for a choice
+    kind : an ``amount`` is added to and scaled, an ``angle`` is turned and combed, a ``choice`` is set
+    low, high : what can be painted
+    default : on a face that nobody has painted
+    reason : why the range is as it is
+    member, column : where its values are kept in `facemodel.face.Layers`
+    """
+
+    key: str
+    title: str
+    unit: str
+    kind: Kind
+    low: float
+    high: float
+    default: float
+    reason: str
+    member: Member
+    column: int | None = None
+
+    def values(self, layers: Layers, skin: Mesh) -> FloatArray:
+        """Its values (N,), in its unit; an array of their own."""
+        stored: NDArray[Any] = getattr(layers, self.member)
+        if self.kind == "angle":
+            return angle_of(doubled(stored, tangent_frames(skin.normals)))
+        return np.array(stored if self.column is None else stored[:, self.column], dtype=np.float64)
+
+    def picked(self, layers: Layers, skin: Mesh, point: SurfacePoint) -> float:
+        """Its value at a point of the skin, to paint with."""
+        corners = skin.triangles[point.triangle]
+        values, share = self.values(layers, skin)[corners], point.barycentric
+        if self.kind == "angle":
+            return float(angle_of(share @ line_at(values)[:, None])[0])
+        return float(values[share.argmax()] if self.kind == "choice" else share @ values)
+
+    def delta(self, layers: Layers, skin: Mesh, vertices: IntArray, values: FloatArray) -> LayerDelta:
+        """The change that gives some vertices (k,) other values (k,), which are put into the range."""
+        rows = getattr(layers, self.member)[vertices]
+        fitting = self.fitting(values)
+        if self.kind == "angle":
+            before = angle_of(doubled(rows, tangent_frames(skin.normals[vertices])))
+            other = fitting != before
+            rows[other] = direction_at(fitting, tangent_frames(skin.normals[vertices]))[other]
+        elif self.column is None:
+            rows[:] = fitting
+        else:
+            rows[:, self.column] = fitting
+        return layer_delta(layers, self.member, vertices, rows)
+
+    def fitting(self, values: FloatArray) -> FloatArray:
+        """Values put into the range: angles by half turns, choices to the nearest one."""
+        if self.kind == "angle":
+            return wrapped(values)
+        clipped = np.clip(values, self.low, self.high)
+        return np.rint(clipped) if self.kind == "choice" else clipped
+
+
+STIFF_SKIN = "at most a skin of 2 mm and 1 MPa, the stiff end of what is measured; below zero it would pull by itself"
+THICK_SKIN = "at most a skin of 5 mm and 1 MPa (E t^3 / 12); below zero it would buckle by itself"
+FIRM_TISSUE = "at most cartilage of 1 MPa over a centimetre; below zero it would push off the bone"
+
+PAINT_LAYERS: tuple[PaintLayer, ...] = (
+    PaintLayer(
+        "stretching-along", "Stretching along the grain", "N/mm", "amount", 0, 2, 0.15, STIFF_SKIN, "stretching", 0
+    ),
+    PaintLayer(
+        "stretching-across", "Stretching across the grain", "N/mm", "amount", 0, 2, 0.15, STIFF_SKIN, "stretching", 1
+    ),
+    PaintLayer("grain", "Grain", "°", "angle", -90, 90, 0, "a line turned by 180° is the same line", "direction"),
+    PaintLayer("bending-along", "Bending along the grain", "N mm", "amount", 0, 10, 0.5, THICK_SKIN, "bending", 0),
+    PaintLayer("bending-across", "Bending across the grain", "N mm", "amount", 0, 10, 0.5, THICK_SKIN, "bending", 1),
+    PaintLayer("bending-twist", "Twisting", "N mm", "amount", 0, 10, 0.5, THICK_SKIN, "bending", 2),
+    PaintLayer("stiffness", "Tissue stiffness", "N/mm³", "amount", 0, 0.1, 0.004, FIRM_TISSUE, "stiffness"),
+    PaintLayer(
+        "supports", "Supports", "", "choice", 0, len(Support) - 1, 0, "each number is one kind of support", "supports"
+    ),
+)
+"""All layers, in the order in which they are listed."""
+
+LAYER: Mapping[str, PaintLayer] = {layer.key: layer for layer in PAINT_LAYERS}
+"""The layers by key."""
+
+SUPPORT_TITLES: Mapping[Support, str] = {
+    Support.FREE: "Free",
+    Support.VALUE: "Held in place",
+    Support.CLAMPED: "Held in place and slope",
+    Support.SLIDING: "Sliding along the surface",
+}
+"""What the choices of the supports are called."""
