@@ -21,3 +21,7 @@ class FaceError(RisoriusError):
 
 class MuscleError(RisoriusError):
     """A muscle cannot be laid as it was asked for; the face and its other muscles stay as they were."""
+
+
+class PaintError(RisoriusError):
+    """A layer cannot be painted, filled or read from a file as it was asked for; the layers stay as they were."""
