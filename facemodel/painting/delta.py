@@ -57,5 +57,6 @@ def layer_delta(layers: Layers, member: Member, vertices: IntArray, rows: NDArra
     """The change of some vertices (k,) to other rows, without those whose row is the same already."""
     before = getattr(layers, member)[vertices]
     after = rows.astype(before.dtype)
-    changed = np.flatnonzero((before != after).reshape(len(vertices), -1).any(axis=1))
+    differs = before != after
+    changed = np.flatnonzero(differs if differs.ndim == 1 else differs.any(axis=1))
     return LayerDelta(member, vertices[changed], before[changed], after[changed])

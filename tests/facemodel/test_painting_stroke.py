@@ -135,6 +135,12 @@ def test_only_what_is_touched_changes_and_is_kept() -> None:
     assert delta.nbytes < 100 * near.sum()
 
 
+def test_a_brush_that_reaches_no_vertex_changes_nothing() -> None:
+    stroke = stroked([(1.0, 0.5)], Brush(0.1, 1.0, 1.0, "set", 0.05), "bending-along")
+    assert len(stroke.delta()) == 0
+    assert stroke.delta().done(LAYERS).bending.tobytes() == LAYERS.bending.tobytes()
+
+
 def test_a_hard_brush_of_full_strength_leaves_exactly_its_value() -> None:
     found = after(stroked([(0.0, 0.0)], Brush(6.0, 1.0, 1.0, "set", 0.0123)))
     inside = from_segment((0.0, 0.0), (0.0, 0.0)) < 6.0 - 1e-3
