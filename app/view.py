@@ -27,7 +27,12 @@ class View:
         return self._state
 
     def change(self, **members: Any) -> None:
-        """Change some members of the state; nothing is emitted if they are so already."""
+        """Change some members of the state; nothing is emitted if they are so already.
+
+        A muscle that is selected without others is selected alone.
+        """
+        if "muscle" in members:
+            members.setdefault("others", frozenset())
         before, self._state = self._state, replace(self._state, **members)
         if self._state != before:
             self.changed.emit(self._state, before)
@@ -35,6 +40,15 @@ class View:
     def toggle(self, member: str) -> None:
         """Turn a switch of the state over."""
         self.change(**{member: not getattr(self._state, member)})
+
+    def select_also(self, muscle: str) -> None:
+        """Take a muscle into the selection, or out of it if it is in it."""
+        kept = self._state.selected - {muscle}
+        if muscle in self._state.selected:
+            last = min(kept, default="")
+            self.change(muscle=last, others=kept - {last})
+        else:
+            self.change(muscle=muscle, others=kept)
 
     def look_from(self, view: ViewName) -> None:
         """Ask for a view; a turning head stops, so that the view can be seen."""

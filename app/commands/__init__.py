@@ -7,7 +7,15 @@ of the one they are given.
 from app.commands.command import Command, array_bytes
 from app.commands.content import EditContent, edit_content
 from app.commands.keyed import KeyedDelta
-from app.commands.painting import ArrayName, PaintedRows, PaintLayers, layer_array, paint_layers, with_layer_array
+from app.commands.painting import (
+    ArrayName,
+    PaintedRows,
+    PaintLayers,
+    layer_array,
+    paint_deltas,
+    paint_layers,
+    with_layer_array,
+)
 from app.commands.weights import SetWeights, set_weights
 from app.commands.whole import ReplaceProject, Several
 
@@ -24,6 +32,7 @@ __all__ = [
     "array_bytes",
     "edit_content",
     "layer_array",
+    "paint_deltas",
     "paint_layers",
     "set_weights",
     "with_layer_array",

@@ -10,6 +10,7 @@ import numpy as np
 
 from app.commands.command import Command
 from facemodel.face import Face
+from facemodel.painting.delta import LayerDelta
 from facemodel.project import Project
 from fem.types import IntArray
 
@@ -110,6 +111,12 @@ def paint_layers(before: Face, after: Face, label: str, gesture: str = "") -> Pa
     """The step from one face to another that differs in painted arrays alone."""
     made = (_rows(name, layer_array(before, name), layer_array(after, name)) for name in ARRAY_NAMES)
     return PaintLayers(label, tuple(rows for rows in made if rows is not None), gesture)
+
+
+def paint_deltas(deltas: Iterable[LayerDelta], label: str, gesture: str = "") -> PaintLayers:
+    """The step of a stroke or a fill, as `facemodel.painting` gives it; of several no two change one array."""
+    rows = (PaintedRows(each.member, each.vertices, each.before, each.after) for each in deltas if len(each))
+    return PaintLayers(label, tuple(rows), gesture)
 
 
 def _rows(name: ArrayName, before: Rows, after: Rows) -> PaintedRows | None:

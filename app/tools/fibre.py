@@ -1,0 +1,185 @@
+"""Lay muscles by hand: draw a fibre from bone to skin, drag what there is of a muscle, bend a fibre over the bone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import ClassVar
+
+from app.tools.grips import dragged_to, handle_distance, place_on_fibre
+from app.tools.laying import ghost, laid, put_in, with_image
+from app.tools.pointer import Pointer
+from app.tools.select import fibre_distance
+from app.tools.sight import Ghost, Grip
+from app.tools.tool import Bench, Tool
+from app.view_state import Workspace
+from facemodel.errors import MuscleError
+from facemodel.laying.collection import muscle_of
+from facemodel.laying.fibres import added_fibre, bent, laid_fibre
+from facemodel.laying.handles import Handle, Part, dragged, handles
+from facemodel.laying.places import Snap
+from facemodel.muscles import Muscle
+from facemodel.project import Project
+
+FINGER = 1.5
+"""A handle is taken from so many times the reach of the pointer: it is small, and meant when the hand is near."""
+
+NOUNS: dict[Part, str] = {
+    "origin": "Move origin of",
+    "attachment": "Move attachment of",
+    "via": "Bend",
+    "radius": "Widen",
+    "box": "Change box of",
+    "centre": "Move",
+    "long": "Stretch",
+    "short": "Stretch",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Drag:
+    """A gesture under way.
+
+    Attributes
+    ----------
+    label : what the step will be called
+    made : the muscle that the hand means with the pointer where it is; none where it means nothing
+    """
+
+    label: str
+    made: Callable[[Pointer], Muscle | None]
+
+
+class FibreTool(Tool):
+    """Press on the skull and drag to the skin lays a fibre; press on a handle of a selected muscle drags it."""
+
+    id: ClassVar[str] = "fibre"
+    title: ClassVar[str] = "Fibre"
+    shortcut: ClassVar[str] = "N"
+    hint: ClassVar[str] = (
+        "Press on the bone and drag to the skin · drag an end · Ctrl-drag a fibre to bend it · Shift adds to the muscle"
+    )
+    workspaces: ClassVar[frozenset[Workspace]] = frozenset(("muscles",))
+    asks_skull: ClassVar[bool] = True
+
+    def __init__(self, bench: Bench) -> None:
+        super().__init__(bench)
+        self.bone_snap: Snap = "surface"
+        self.skin_snap: Snap = "vertex"
+        self._drag: Drag | None = None
+        self._muscle: Muscle | None = None
+        self._wrong: MuscleError | None = None
+
+    def press(self, pointer: Pointer) -> None:
+        """Take hold of a handle, bend a fibre, or begin a new one."""
+        self._drag = self._held(pointer) or self._bending(pointer) or self._drawing(pointer)
+        self._muscle, self._wrong = None, None
+        self.busy = self._drag is not None
+
+    def move(self, pointer: Pointer) -> None:
+        """Show the muscle as it would be, with what it acts on, or why it cannot be so."""
+        assert self._drag is not None
+        try:
+            muscle = self._drag.made(pointer)
+        except MuscleError as error:
+            self._wrong = error
+            self.bench.sight.ghost_changed.emit(Ghost((), complaint=str(error)))
+            return
+        if muscle is not None:
+            self._muscle, self._wrong = muscle, None
+            shown = with_image(self._project, muscle, self.bench.view.state.linked)
+            self.bench.sight.ghost_changed.emit(ghost(shown, self._project.face))
+
+    def release(self, pointer: Pointer) -> None:
+        """Lay the muscle as it was shown last, as one step, and select it.
+
+        Raises
+        ------
+        MuscleError
+            If it cannot be laid there; all is then as it was.
+        """
+        drag, muscle, wrong = self._drag, self._muscle, self._wrong
+        self.cancel()
+        if wrong is not None:
+            raise wrong
+        if drag is None or muscle is None:
+            return
+        project = put_in(self._project, muscle, self.bench.view.state.linked)
+        self.bench.document.edit(project, f"{drag.label} {muscle.title}")
+        self.bench.view.change(muscle=muscle.key)
+
+    def hover(self, pointer: Pointer) -> None:
+        """Show which handle would be taken, and name the muscle."""
+        found = self._grip(pointer)
+        self.bench.sight.grip_changed.emit(found)
+
+    def leave(self) -> None:
+        """Nothing would be taken."""
+        self.bench.sight.grip_changed.emit(None)
+
+    def cancel(self) -> None:
+        """Let go; the muscle is where it was."""
+        self.busy, self._drag, self._muscle, self._wrong = False, None, None, None
+        self.bench.sight.ghost_changed.emit(None)
+
+    @property
+    def _project(self) -> Project:
+        return self.bench.document.project
+
+    def _own(self) -> list[Muscle]:
+        """Selected muscles that may be changed, the one selected last first."""
+        state = self.bench.view.state
+        keys = sorted(state.selected - state.hidden - state.locked, key=lambda key: key != state.muscle)
+        there = {muscle.key for muscle in self._project.muscles}
+        return [muscle_of(self._project, key) for key in keys if key in there]
+
+    def _grip(self, pointer: Pointer) -> Grip | None:
+        """The nearest handle within reach."""
+        reach, best = FINGER * pointer.reach, None
+        for muscle in self._own():
+            for handle in handles(muscle, self._project.face):
+                away = handle_distance(pointer, handle)
+                if away < reach:
+                    reach, best = away, Grip(muscle, handle)
+        return best
+
+    def _held(self, pointer: Pointer) -> Drag | None:
+        grip = None if "control" in pointer.modifiers else self._grip(pointer)
+        return None if grip is None else self._moving(grip)
+
+    def _moving(self, grip: Grip) -> Drag:
+        def made(pointer: Pointer) -> Muscle | None:
+            to = dragged_to(grip.handle, pointer)
+            if to is None:
+                return None
+            face = self._project.face
+            return dragged(grip.muscle, grip.handle, to, face, bone=self.bone_snap, skin=self.skin_snap)
+
+        return Drag(NOUNS[grip.handle.part], made)
+
+    def _bending(self, pointer: Pointer) -> Drag | None:
+        """With Ctrl on a fibre of a selected muscle: a point of it that is dragged off the straight line."""
+        if "control" not in pointer.modifiers or pointer.ray is None:
+            return None
+        ray = pointer.ray
+        near = [muscle for muscle in self._own() if fibre_distance(muscle, ray) <= FINGER * pointer.reach]
+        if not near:
+            return None
+        number, point = place_on_fibre(near[0], pointer)
+        muscle, place = bent(near[0], number, point)
+        return self._moving(Grip(muscle, Handle("via", point, number, place)))
+
+    def _drawing(self, pointer: Pointer) -> Drag | None:
+        """From a place on the skull: a new muscle, or with Shift one more fibre of the selected one."""
+        if pointer.skull is None:
+            return None
+        start, own = pointer.skull.position, self._own()
+        adds = "shift" in pointer.modifiers and bool(own)
+
+        def made(now: Pointer) -> Muscle | None:
+            if now.skin is None:
+                return None
+            fibre = laid_fibre(self._project.face, start, now.skin.position, bone=self.bone_snap, skin=self.skin_snap)
+            return added_fibre(own[0], fibre) if adds else laid(self._project, fibre)
+
+        return Drag("Add fibre to" if adds else "Lay", made)

@@ -1,0 +1,107 @@
+"""What tools have drawn over the face while they work.  Each part has its own signal, so that it alone is redrawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from psygnal import Signal
+
+from app.tools.pointer import Hit
+from facemodel.laying.handles import Handle
+from facemodel.laying.influence import Arrows
+from facemodel.muscles import Muscle
+from fem.types import FloatArray, IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Ring:
+    """The cursor of a brush: a circle on the skin, and a second one where its mirror image paints.
+
+    Attributes
+    ----------
+    hit : its middle
+    mirrored : the middle of its image; none without mirror
+    radius : millimetres on the skin
+    core : share of the radius within which it paints fully
+    """
+
+    hit: Hit
+    mirrored: Hit | None
+    radius: float
+    core: float
+
+
+@dataclass(frozen=True, eq=False)
+class Working:
+    """Values of a layer that are painted but not yet committed: only those that moved since the last ones.
+
+    Attributes
+    ----------
+    layer : key of the painted layer, see `facemodel.painting.layers`
+    vertices : (k,) skin vertices
+    values : (k,) in the unit of the layer
+    """
+
+    layer: str
+    vertices: IntArray
+    values: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Ghost:
+    """Muscles as they would be if the hand let go now.
+
+    Attributes
+    ----------
+    muscles : those that are laid or dragged; with the linked partner
+    influence : (N,) 0 to 1, how strongly the first one acts on every vertex of the skin; none while it has no length
+    arrows : its forces
+    complaint : why it could not be laid like this; empty if it could
+    """
+
+    muscles: tuple[Muscle, ...]
+    influence: FloatArray | None = None
+    arrows: Arrows | None = None
+    complaint: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Grip:
+    """A handle that would be taken if the button went down now."""
+
+    muscle: Muscle
+    handle: Handle
+
+
+class Sight:
+    """The drawn things of the tool in hand; the viewport listens, and draws each of them when it comes."""
+
+    ring_changed = Signal(object)
+    """(Ring | None)"""
+    working_changed = Signal(object)
+    """(Working) values to draw at a few vertices; after a gesture the document has them, or they are put back."""
+    ghost_changed = Signal(object)
+    """(Ghost | None)"""
+    grip_changed = Signal(object)
+    """(Grip | None)"""
+    outline_changed = Signal(object)
+    """((k, 2) pixels of the lasso so far | None)"""
+    pointed_changed = Signal(str)
+    """(key of the muscle under the pointer, empty for none)"""
+
+    def __init__(self) -> None:
+        self._pointed = ""
+
+    def point_at(self, muscle: str) -> None:
+        """Tell which muscle is under the pointer, if it is another one than before."""
+        if muscle != self._pointed:
+            self._pointed = muscle
+            self.pointed_changed.emit(muscle)
+
+    def clear(self) -> None:
+        """Nothing is drawn any more."""
+        self.ring_changed.emit(None)
+        self.ghost_changed.emit(None)
+        self.grip_changed.emit(None)
+        self.outline_changed.emit(None)
+        self.point_at("")

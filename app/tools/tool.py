@@ -1,0 +1,91 @@
+"""What a tool is: press, moves, release; one gesture is one step to undo, and Esc leaves no trace of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from app.document import Document
+from app.muscle_pulls import MusclePulls
+from app.tools.brush_state import HandBrush
+from app.tools.ground import Ground
+from app.tools.pointer import Pointer, Projector
+from app.tools.region import Regions
+from app.tools.sight import Sight
+from app.view import View
+from app.view_state import Workspace
+
+EVERYWHERE: frozenset[Workspace] = frozenset(("expression", "actions", "muscles", "tissue"))
+
+
+@dataclass(eq=False)
+class Bench:
+    """What lies before a tool.
+
+    Attributes
+    ----------
+    document : what is worked on
+    view : what is selected and shown
+    brush : how it is painted
+    regions : selected and locked parts of the skin
+    sight : what is drawn while working
+    pulls : where muscles pull
+    ground : the skin to paint on
+    projector : how the viewport sees the skin; none without one
+    """
+
+    document: Document
+    view: View
+    brush: HandBrush = field(default_factory=HandBrush)
+    regions: Regions = field(default_factory=Regions)
+    sight: Sight = field(default_factory=Sight)
+    pulls: MusclePulls = field(default_factory=MusclePulls)
+    ground: Ground = field(default_factory=Ground)
+    projector: Projector | None = None
+
+
+class Tool:
+    """A tool in the hand; what it is not for it leaves alone.
+
+    Attributes
+    ----------
+    id, title : unique name, and the one for people
+    shortcut : key in Qt's portable spelling
+    hint : one line for the status bar while it is in hand
+    workspaces : where it is offered
+    asks_skull : whether the pointer is to tell the place on the skull too
+    busy : whether a gesture is under way
+
+    Parameters
+    ----------
+    bench : what it works on
+    """
+
+    id: ClassVar[str]
+    title: ClassVar[str]
+    shortcut: ClassVar[str] = ""
+    hint: ClassVar[str] = ""
+    workspaces: ClassVar[frozenset[Workspace]] = EVERYWHERE
+    asks_skull: ClassVar[bool] = False
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.busy = False
+
+    def press(self, pointer: Pointer) -> None:
+        """The left button goes down: a gesture may begin, which makes the tool busy."""
+
+    def move(self, pointer: Pointer) -> None:
+        """The pointer moves while a gesture is under way."""
+
+    def release(self, pointer: Pointer) -> None:
+        """The button goes up: what was done becomes one step."""
+
+    def hover(self, pointer: Pointer) -> None:
+        """The pointer moves and no button is down."""
+
+    def leave(self) -> None:
+        """The pointer leaves the viewport."""
+
+    def cancel(self) -> None:
+        """End the gesture under way; all is exactly as it was before it."""
