@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt
 from PySide6.QtGui import QStandardItem, QStandardItemModel
-from PySide6.QtWidgets import QLineEdit, QListView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QLineEdit,
+    QListView,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.document import Document
 from app.view import View
@@ -12,7 +19,7 @@ from app.view_state import ViewState
 from facemodel.muscles import Muscle
 from facemodel.project import Project
 from ui.theme.icons import icon
-from ui.theme.metrics import GRID
+from ui.theme.metrics import GRID, ROW
 
 KEY = Qt.ItemDataRole.UserRole + 1
 SIDES = {"L": "left", "R": "right", "M": ""}
@@ -24,6 +31,14 @@ def muscle_label(muscle: Muscle) -> str:
     return f"{muscle.title}, {side}" if side else muscle.title
 
 
+class NarrowRow(QStyledItemDelegate):
+    """A row as wide as the list, so that a long name is shortened and the list never scrolls sideways."""
+
+    def sizeHint(self, _option: QStyleOptionViewItem, _index: QModelIndex | QPersistentModelIndex) -> QSize:
+        """One row of any width."""
+        return QSize(0, ROW)
+
+
 class MuscleList(QWidget):
     """Binds the selected muscle of a view to a list, both ways."""
 
@@ -31,7 +46,7 @@ class MuscleList(QWidget):
         super().__init__()
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.setMinimumWidth(32 * GRID)
+        self.setMinimumWidth(36 * GRID)
         self._view = view
         self.search = QLineEdit()
         self.search.setPlaceholderText("Search muscles")
@@ -41,6 +56,9 @@ class MuscleList(QWidget):
         self._model = QStandardItemModel(self)
         self.list = QListView()
         self.list.setModel(self._model)
+        self.list.setItemDelegate(NarrowRow(self.list))
+        self.list.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
         self.list.setAccessibleName("Muscles")
         self.list.selectionModel().currentChanged.connect(self._choose)

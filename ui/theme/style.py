@@ -17,6 +17,12 @@ QToolTip { background: $raised; color: $text; border: 1px solid $line; padding: 
 QMenuBar { background: $window; padding: 0 4px; }
 QMenuBar::item { background: transparent; padding: 6px 10px; }
 QMenuBar::item:selected, QMenuBar::item:pressed { background: $hover; }
+QTabBar#workspaces { background: $window; }
+QTabBar#workspaces::tab { background: transparent; color: $muted; border: none; border-bottom: 2px solid transparent;
+  padding: 5px 12px 4px 12px; margin: 0; }
+QTabBar#workspaces::tab:hover { color: $text; }
+QTabBar#workspaces::tab:selected { color: $text; border-bottom-color: $accent; }
+QTabBar#workspaces:focus::tab:selected { background: $hover; }
 QMenu { background: $panel; border: 1px solid $line; padding: 4px 0; }
 QMenu::item { padding: 5px 32px 5px 8px; min-height: 16px; }
 QMenu::icon { padding-left: 12px; }
@@ -56,6 +62,8 @@ QPushButton[role="quiet"] { background: transparent; color: $muted; }
 QPushButton[role="quiet"]:hover { background: $hover; color: $text; }
 QPushButton[role="status"] { min-height: 18px; padding: 0 8px; font-size: ${small}px; }
 QPushButton:flat { background: transparent; border-color: transparent; }
+
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 
 QProgressBar { background: $raised; border: none; border-radius: 2px; }
 QProgressBar::chunk { background: $accent; border-radius: 2px; }

@@ -21,7 +21,7 @@ from facemodel.sampling import ELEMENTS, display_surface, head_surface
 from facemodel.solve import Solution
 from facemodel.superposition import Superposition
 from fem.types import FloatArray
-from ui.viewport.backdrop import BACKDROPS, hang
+from ui.viewport.backdrop import Backdrop
 from ui.viewport.camera import (
     DIRECTIONS,
     Frame,
@@ -81,11 +81,12 @@ class Scene:
         plotter.camera_set = True
         light(self.renderer)
         self.renderer.SetUseOIT(False)
+        self._backdrop = Backdrop(plotter)
         self.dress(theme)
 
     def dress(self, theme: str) -> None:
         """Hang the backdrop of a theme, ``dark`` or ``light``."""
-        hang(self.renderer, BACKDROPS[theme])
+        self._backdrop.hang(theme)
 
     def show(self, project: Project, solution: Solution | None = None) -> None:
         """Show a project, at rest; without a solution the neutral face alone.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import queue
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
@@ -10,18 +11,24 @@ Call = Callable[[], None]
 
 
 class UiThread(QObject):
-    """Runs calls from other threads in the thread it was made in, one after the other, from the event loop."""
+    """Runs calls from other threads in the thread it was made in, one after the other, from the event loop.
 
-    _asked = Signal(object)
+    The calls wait in a queue of Python's own; the signal between the threads only rings the bell.
+    """
+
+    _rung = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._asked.connect(self._run, Qt.ConnectionType.QueuedConnection)
+        self._calls: queue.SimpleQueue[Call] = queue.SimpleQueue()
+        self._rung.connect(self._answer, Qt.ConnectionType.QueuedConnection)
 
     def deliver(self, call: Call) -> None:
         """Have ``call`` run soon; may be called from any thread."""
-        self._asked.emit(call)
+        self._calls.put(call)
+        self._rung.emit()
 
-    @Slot(object)
-    def _run(self, call: Call) -> None:
-        call()
+    @Slot()
+    def _answer(self) -> None:
+        """One ring, one call: between two calls the window may paint and listen."""
+        self._calls.get_nowait()()

@@ -21,8 +21,13 @@ class Dock(QDockWidget):
         self.setWidget(content)
         self.setTitleBarWidget(self._title(title))
 
+    def retitle(self, title: str) -> None:
+        """Take another title; the name stays."""
+        self.setWindowTitle(title)
+        self._words.setText(title.upper())
+
     def _title(self, title: str) -> QWidget:
-        words = QLabel(title.upper())
+        words = self._words = QLabel(title.upper())
         words.setProperty("role", "heading")
         line = QWidget()
         line.setProperty("role", "panel")

@@ -65,12 +65,12 @@ class WindowHost:
 
     def focus_search(self) -> None:
         """Put the keyboard into the search over the action units."""
-        self._window.show_dock("expression")
+        self._window.show_workspace("expression")
         self._window.expression.focus_search()
 
     def focus_unit(self, number: int) -> None:
         """Show the row of an action unit and put the keyboard on its slider."""
-        self._window.show_dock("expression")
+        self._window.show_workspace("expression")
         self._window.expression.focus_unit(number)
 
     def show_palette(self) -> None:

@@ -7,7 +7,7 @@ import binascii
 import json
 from dataclasses import dataclass, field
 
-VERSION = 1
+VERSION = 2
 """Raised when docks are added or renamed, so that an older layout is not forced on a newer window."""
 
 
@@ -19,16 +19,19 @@ class Layout:
     ----------
     docks : Qt's own state of docks and toolbars
     folded : keys of the folded groups of action units
+    workspace : which one was open
     """
 
     docks: bytes = b""
     folded: frozenset[str] = field(default_factory=frozenset)
+    workspace: str = "expression"
 
 
 def layout_text(layout: Layout) -> str:
     """The layout as text."""
     docks = base64.b64encode(layout.docks).decode()
-    return json.dumps({"version": VERSION, "docks": docks, "folded": sorted(layout.folded)})
+    members = {"docks": docks, "folded": sorted(layout.folded), "workspace": layout.workspace}
+    return json.dumps({"version": VERSION, **members})
 
 
 def layout_from(text: str) -> Layout:
@@ -37,6 +40,7 @@ def layout_from(text: str) -> Layout:
         members = json.loads(text)
         if members["version"] != VERSION:
             return Layout()
-        return Layout(base64.b64decode(members["docks"], validate=True), frozenset(map(str, members["folded"])))
+        docks = base64.b64decode(members["docks"], validate=True)
+        return Layout(docks, frozenset(map(str, members["folded"])), str(members["workspace"]))
     except (ValueError, KeyError, TypeError, binascii.Error):
         return Layout()

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSize, Qt
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QResizeEvent
+from PySide6.QtCore import QByteArray, QEvent, QSize, Qt
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QMainWindow
 
 from app.actions.action import Action, perform
@@ -15,8 +15,10 @@ from app.actions.table import all_actions
 from app.document import Document
 from app.settings import UserSettings
 from app.solving import Solving
+from app.tools.tool import Bench
+from app.tools.toolbox import ToolBox
 from app.view import View
-from app.view_state import ViewState
+from app.view_state import ViewState, Workspace
 from facemodel.muscles import Muscle
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.face_information import FaceInformation
@@ -33,6 +35,11 @@ from ui.window.solve_progress import SolveProgress
 from ui.window.status_line import StatusLine
 from ui.window.tool_strip import ToolStrip
 from ui.window.viewport_widget import Viewport
+from ui.workspaces.actions import tool_actions, workspace_actions
+from ui.workspaces.registry import WORKSPACES, all_tools
+from ui.workspaces.switching import WorkspacePanels
+from ui.workspaces.tabs import WorkspaceTabs
+from ui.workspaces.workspace import Parts, WorkspaceKind
 
 LEAST = QSize(1024, 600)
 USUAL = QSize(1440, 900)
@@ -56,13 +63,16 @@ class MainWindow(QMainWindow):
         self.setDockOptions(QMainWindow.DockOption.AllowTabbedDocks | QMainWindow.DockOption.AnimatedDocks)
         self._folded: frozenset[str] = frozenset()
         self.context = Context(document, view, settings, solving, WindowHost(self))
-        self.binding = ActionBinding(self, self.context, all_actions)
+        bench = Bench(document, view)
+        self.toolbox = ToolBox(bench, all_tools())
+        self.binding = ActionBinding(self, self.context, self._actions)
         self.viewport = Viewport(document, view, self)
         self.setCentralWidget(self.viewport)
-        self.expression = ExpressionPanel(document, view)
+        self.panels = WorkspacePanels(Parts(self.context, bench, self.toolbox, self.viewport), WORKSPACES)
+        self.expression: ExpressionPanel = self.panels.panel("expression")
         self.muscles = MuscleList(document, view)
         self.docks = {
-            "expression": Dock("expression", "Expression", self.expression),
+            "workspace": Dock("workspace", "Expression", self.panels),
             "muscles": Dock("muscles", "Muscles", self.muscles),
             "information": Dock("information", "Face information", FaceInformation(document)),
         }
@@ -70,6 +80,8 @@ class MainWindow(QMainWindow):
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.strip)
         self.status = StatusLine(self)
         self.setStatusBar(self.status)
+        self.tabs = WorkspaceTabs(view, WORKSPACES)
+        self.menuBar().setCornerWidget(self.tabs)
         self.palette_box = CommandPalette(self, lambda query: palette_entries(query, self.context, self.binding))
         self.progress = SolveProgress(self.context, self.status, self.viewport)
         self.hints = FirstHints(self.context, self.viewport)
@@ -94,6 +106,19 @@ class MainWindow(QMainWindow):
         self.docks[name].show()
         self.docks[name].raise_()
 
+    def show_workspace(self, workspace: Workspace) -> None:
+        """Open a workspace and bring its panel to the front."""
+        self.context.view.change(workspace=workspace)
+        self.show_dock("workspace")
+
+    def event(self, event: QEvent) -> bool:
+        """Tab goes through the fields of a panel; only over the face it means the next workspace."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            walking = event.key() == Qt.Key.Key_Tab and not event.modifiers()
+            if walking and self.focusWidget() is not self.viewport.canvas:
+                event.accept()
+        return super().event(event)
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, remember the layout, stop what is being solved."""
         if not may_leave(self.context):
@@ -101,7 +126,7 @@ class MainWindow(QMainWindow):
             return
         self.context.settings.change(
             geometry=bytes(self.saveGeometry().toBase64().data()).decode(),
-            layout=layout_text(Layout(bytes(self.saveState().data()), self._folded)),
+            layout=layout_text(Layout(bytes(self.saveState().data()), self._folded, self.context.view.state.workspace)),
         )
         self.context.solving.job.close()
         self.viewport.close()
@@ -126,7 +151,7 @@ class MainWindow(QMainWindow):
             open_path(self.context, paths[0])
 
     def _place_docks(self) -> None:
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.docks["expression"])
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.docks["workspace"])
         for name in ("muscles", "information"):
             self.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, self.docks[name])
             self.docks[name].hide()
@@ -140,6 +165,8 @@ class MainWindow(QMainWindow):
         self.context.settings.failed.connect(self.status.notify)
         self.binding.table_changed.connect(self._refill_menus)
         self.palette_box.chosen.connect(self._run)
+        self.panels.opened.connect(self._name_panel)
+        self.toolbox.tool_changed.connect(lambda _tool: self.binding.refresh())
         self.expression.folds_changed.connect(self._note_folds)
         self.expression.muscles_hovered.connect(self.viewport.glow)
         self.viewport.muscle_hovered.connect(self._name_muscle)
@@ -154,6 +181,15 @@ class MainWindow(QMainWindow):
         if layout.docks:
             self.restoreState(QByteArray(layout.docks))
         self._fold(layout.folded)
+        if any(kind.id == layout.workspace for kind in WORKSPACES):
+            self.context.view.change(workspace=layout.workspace)
+        self.panels.show_workspace(self.context.view.state.workspace)
+
+    def _actions(self, context: Context) -> tuple[Action, ...]:
+        return (*all_actions(context), *workspace_actions(WORKSPACES), *tool_actions(self.toolbox))
+
+    def _name_panel(self, kind: WorkspaceKind) -> None:
+        self.docks["workspace"].retitle(kind.title)
 
     def _fold(self, groups: frozenset[str]) -> None:
         self._folded = groups

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PIL import Image
 from PySide6.QtCore import QEvent, QPoint, QTimer, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.document import Document
@@ -27,6 +27,7 @@ from ui.viewport.scene import Scene
 from ui.widgets.pointer_label import PointerLabel
 from ui.window.canvas import FRAME, Canvas
 from ui.window.face_pointer import FacePointer
+from ui.window.face_preparation import FacePreparation
 
 TURNTABLE = 24.0
 """Degrees per second: once round in a quarter of a minute."""
@@ -56,11 +57,13 @@ class Viewport(QWidget):
         self._document = document
         self._view = view
         self._shown: tuple[Face, Solution | None] | None = None
+        self._coming: tuple[Face, Solution | None] | None = None
         self._pose_due = False
         self._posed: float | None = None
         self._reported_at = 0.0
         self._over: list[QWidget] = []
         self.frame_time = 0.0
+        self._preparation = FacePreparation(self)
         self.canvas = Canvas(self)
         self.scene = Scene(self.canvas, current_theme().name)
         self.scene.apply(view.state)
@@ -75,19 +78,24 @@ class Viewport(QWidget):
 
     @property
     def shows_face(self) -> bool:
-        """Whether a face is drawn yet."""
-        return self._shown is not None
+        """Whether the document's own face is drawn, solved or at rest."""
+        return self._shown is not None and self._shown[0] is self._document.project.face
 
     def show_document(self) -> None:
-        """Draw the document's face, with its solution if there is one; nothing if that is what is drawn."""
+        """Draw the document's face, with its solution if there is one; until it is prepared the last one stays."""
         project, solution = self._document.project, self._document.solution
-        if self._shown is not None and self._shown[0] is project.face and self._shown[1] is solution:
+        if self._shown == (project.face, solution):
             self.scene.update_project(project)
-        else:
-            self._shown = (project.face, solution)
-            self.scene.show(project, solution)
-        self._pose_due = True
-        self.canvas.ask_frame()
+            self._pose(self._document.shown)
+        elif self._coming != (project.face, solution):
+            self._coming = (project.face, solution)
+            self._preparation.prepare(project, solution is None, self._show_prepared)
+
+    def _show_prepared(self) -> None:
+        project, solution = self._document.project, self._document.solution
+        self._shown, self._coming = (project.face, solution), None
+        self.scene.show(project, solution)
+        self._pose(self._document.shown)
 
     def glow(self, muscles: frozenset[str]) -> None:
         """Let the skin glow where some muscles, by key, pull."""
@@ -133,6 +141,13 @@ class Viewport(QWidget):
         card.hide()
         card.deleteLater()
 
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Wait for nobody any more, and let VTK free what it has on the graphics card."""
+        self._turntable.stop()
+        self._preparation.close()
+        self.canvas.close()
+        super().closeEvent(event)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the cards in their corner."""
         super().resizeEvent(event)
@@ -161,7 +176,8 @@ class Viewport(QWidget):
         )
 
     def _show_anew(self, _now: Project | Solution | None) -> None:
-        if self._shown is not None or self._document.solution is not None:
+        """A face without a solution is shown once it is known that solving takes a while."""
+        if self.shows_face or self._document.solution is not None:
             self.show_document()
 
     def _pose(self, _expression: Expression) -> None:

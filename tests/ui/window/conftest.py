@@ -64,7 +64,7 @@ def open_window(qtbot, settings: UserSettings, solution: Solution) -> Iterator[C
         window.activateWindow()
         if wait:
             qtbot.waitUntil(lambda: document.solution is not None, timeout=20_000)
-            qtbot.waitUntil(lambda: window.viewport.canvas.frames > 0, timeout=20_000)
+            qtbot.waitUntil(lambda: window.viewport.shows_face, timeout=20_000)
         return window
 
     yield open_

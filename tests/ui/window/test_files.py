@@ -24,7 +24,7 @@ def drop(window: MainWindow, path) -> bool:
     data.setUrls([QUrl.fromLocalFile(str(path))])
     place, copy = QPoint(300, 300), Qt.DropAction.CopyAction
     left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    enter = QDragEnterEvent(QPointF(place), copy, data, left, none)
+    enter = QDragEnterEvent(place, copy, data, left, none)
     enter.setAccepted(False)
     QApplication.sendEvent(window, enter)
     if enter.isAccepted():
