@@ -1,0 +1,1 @@
+"""Workspaces: each its own panel, tools and drawing over the same face, so that switching never loses the view."""
