@@ -7,3 +7,7 @@ from facemodel.errors import RisoriusError
 
 class NumberError(RisoriusError):
     """Text or a value that is no number, or no number that may stand here."""
+
+
+class UnitError(RisoriusError):
+    """An action unit or emotion cannot be changed as it was asked for; all of them stay as they were."""

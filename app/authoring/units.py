@@ -1,0 +1,260 @@
+"""Action units: make, name, weigh, split, merge and delete them, with the weights that hang on them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Collection
+from dataclasses import replace
+
+from app.authoring.renaming import refielded, spelled
+from app.errors import UnitError
+from facemodel.actions import GROUP_TITLES, ActionUnit, Group, JawMotion, resolve
+from facemodel.errors import UnknownNameError
+from facemodel.project import Project
+
+FIRST_OWN = 101
+"""Where the numbers of units begin that FACS does not know; its own end at 92."""
+
+LARGEST_NUMBER = 999
+LONGEST_NAME = 100
+LONGEST_NOTE = 20_000
+
+LARGEST_ACTIVATION = 20.0
+"""Times a muscle's strength; what the shipped units ask of their muscles stays far below."""
+
+WIDEST = 60.0
+"""Degrees of opening; no jaw opens wider than 45."""
+
+FARTHEST = 30.0
+"""Millimetres of slide; condyles slide 15."""
+
+LIKE_A_NUMBER = re.compile(r"(au)?[\s_-]*\d+[\s_-]*[lr]?", re.IGNORECASE)
+"""What names a unit by its number already."""
+
+
+def unit_of(project: Project, number: int) -> ActionUnit:
+    """The action unit with a number.
+
+    Raises
+    ------
+    UnknownNameError
+        If there is none.
+    """
+    for unit in project.units:
+        if unit.number == number:
+            return unit
+    known = ", ".join(str(unit.number) for unit in project.units) or "none yet"
+    raise UnknownNameError(f"There is no action unit {number}; this face has {known}.")
+
+
+def free_number(project: Project) -> int:
+    """The first number for a unit that FACS does not know."""
+    taken = {unit.number for unit in project.units}
+    return next(number for number in range(FIRST_OWN, LARGEST_NUMBER + 1) if number not in taken)
+
+
+def with_new_unit(
+    project: Project, name: str = "", group: Group = "diagonal", number: int | None = None
+) -> tuple[Project, int]:
+    """A project with one more unit, in which nothing moves yet.
+
+    Returns
+    -------
+    project : with the unit at the end
+    number : of the unit
+
+    Raises
+    ------
+    UnitError
+        If the number or the name is taken or cannot be one.
+    """
+    own = free_number(project) if number is None else _checked_number(project, number)
+    title = _checked_name(project, name) if name else _free_name(project, "new action")
+    unit = ActionUnit(own, title, group, True, {}, 0.0)
+    return replace(project, units=(*project.units, unit)), own
+
+
+def with_duplicate(project: Project, number: int) -> tuple[Project, int]:
+    """A project with a copy of a unit behind it; also its number."""
+    unit = unit_of(project, number)
+    copy = replace(unit, number=free_number(project), name=_free_name(project, f"{unit.name} copy"))
+    place = project.units.index(unit) + 1
+    return replace(project, units=(*project.units[:place], copy, *project.units[place:])), copy.number
+
+
+def renamed(project: Project, number: int, name: str) -> Project:
+    """A project in which a unit has another name; raises `UnitError` if it is taken or empty."""
+    unit = unit_of(project, number)
+    made = with_unit(project, replace(unit, name=_checked_name(project, name, but=unit)))
+    names = {each for emotion in project.emotions for each in emotion.weights}
+    by_name = {each for each in names if not LIKE_A_NUMBER.fullmatch(each.strip())}
+    return spelled(made, {each: resolve(each, project.units) for each in by_name})
+
+
+def renumbered(project: Project, number: int, to: int) -> Project:
+    """A project in which a unit has another number, as have its weights in expression and emotions."""
+    unit = unit_of(project, number)
+    if to == number:
+        return project
+    new = replace(unit, number=_checked_number(project, to))
+    fields = dict(zip(unit.fields, new.fields, strict=True))
+    return refielded(project, {number: new}, lambda name: fields.get(name, name))
+
+
+def with_activation(project: Project, number: int, muscle: str, weight: float) -> Project:
+    """A project in which a unit contracts a muscle more or less; 0 takes the muscle out of it.
+
+    Parameters
+    ----------
+    muscle : by its name without side
+    weight : times the muscle's strength at weight 1 of the unit
+
+    Raises
+    ------
+    UnitError
+        If the weight is not a number from 0 to `LARGEST_ACTIVATION`.
+    UnknownNameError
+        If there is no such unit or muscle.
+    """
+    unit = unit_of(project, number)
+    if all(each.name != muscle for each in project.muscles):
+        raise UnknownNameError(f"There is no muscle “{muscle}” for action unit {number} to contract; lay it first.")
+    _check_range(f"The activation of {muscle}", weight, 0.0, LARGEST_ACTIVATION, "")
+    muscles = {name: each for name, each in unit.muscles.items() if name != muscle or weight}
+    return with_unit(project, replace(unit, muscles={**muscles, muscle: float(weight)} if weight else muscles))
+
+
+def with_jaw(project: Project, number: int, degrees: float, slide: float = 0.0) -> Project:
+    """A project in which a unit opens the jaw by degrees and slides it forward by millimetres at weight 1.
+
+    Raises
+    ------
+    UnitError
+        If either number is out of range.
+    """
+    unit = unit_of(project, number)
+    _check_range("The opening of the jaw", degrees, -WIDEST, WIDEST, "°")
+    _check_range("The slide of the jaw", slide, -FARTHEST, FARTHEST, " mm")
+    jaw = JawMotion(float(degrees), float(slide)) if degrees or slide else None
+    return with_unit(project, replace(unit, jaw=jaw))
+
+
+def with_note(project: Project, number: int, note: str) -> Project:
+    """A project in which a unit has another line for people."""
+    if len(note) > LONGEST_NOTE:
+        raise UnitError(f"The note has {len(note):,} characters; keep it within {LONGEST_NOTE:,}.")
+    return with_unit(project, replace(unit_of(project, number), note=note.strip()))
+
+
+def with_group(project: Project, number: int, group: Group) -> Project:
+    """A project in which a unit is listed elsewhere; raises `UnitError` if there is no such group."""
+    if group not in GROUP_TITLES:
+        raise UnitError(f"There is no group “{group}” of action units; choose one of {', '.join(GROUP_TITLES)}.")
+    return with_unit(project, replace(unit_of(project, number), group=group))
+
+
+def split(project: Project, number: int) -> Project:
+    """A project in which left and right of a unit move apart; both keep the weight it has.
+
+    Raises
+    ------
+    UnitError
+        If they do already.
+    """
+    unit = unit_of(project, number)
+    if unit.paired:
+        raise UnitError(f"Action unit {number} ({unit.name}) has left and right already.")
+    both = replace(unit, paired=True)
+    weight = project.expression.get(unit.fields[0])
+    expression = {name: each for name, each in project.expression.items() if name != unit.fields[0]}
+    if weight is not None:
+        expression |= dict.fromkeys(both.fields, weight)
+    return with_unit(replace(project, expression=expression), both)
+
+
+def joined(project: Project, number: int) -> Project:
+    """A project in which left and right of a unit move as one, with the larger of both weights.
+
+    Raises
+    ------
+    UnitError
+        If they do already.
+    """
+    unit = unit_of(project, number)
+    if not unit.paired:
+        raise UnitError(f"Action unit {number} ({unit.name}) has no left and right to join.")
+    one = replace(unit, paired=False)
+    return refielded(project, {number: one}, lambda name: one.fields[0] if name in unit.fields else name)
+
+
+def merged(project: Project, number: int, other: int) -> Project:
+    """A project in which one unit does what two did; it keeps the number and name of the first.
+
+    In expression and emotions it has the larger weight of both.
+
+    Raises
+    ------
+    UnitError
+        If both are the same, or only one of them has left and right.
+    """
+    first, second = unit_of(project, number), unit_of(project, other)
+    if number == other:
+        raise UnitError(f"Action unit {number} cannot be merged with itself; choose another one.")
+    if first.paired != second.paired:
+        raise UnitError(f"Only one of action units {number} and {other} has left and right; split or join one first.")
+    muscles = {m: first.muscles.get(m, 0.0) + second.muscles.get(m, 0.0) for m in {**first.muscles, **second.muscles}}
+    jaws = [unit.jaw for unit in (first, second) if unit.jaw]
+    jaw = JawMotion(sum(each.degrees for each in jaws), sum(each.slide for each in jaws)) if jaws else None
+    both = replace(first, muscles=muscles, jaw=jaw, amplitude=max(first.amplitude, second.amplitude))
+    fields = dict(zip(second.fields, both.fields, strict=True))
+    return refielded(project, {number: both, other: None}, lambda name: fields.get(name, name))
+
+
+def without_units(project: Project, numbers: Collection[int]) -> Project:
+    """A project without some units; expression and emotions let go of their weights."""
+    gone = {field for number in numbers for field in unit_of(project, number).fields}
+    return refielded(project, dict.fromkeys(numbers), lambda name: None if name in gone else name)
+
+
+def moved_unit(project: Project, number: int, place: int) -> Project:
+    """A project in which a unit stands at another place of the list, counted from 0."""
+    unit = unit_of(project, number)
+    others = [each for each in project.units if each is not unit]
+    others.insert(min(max(place, 0), len(others)), unit)
+    return replace(project, units=tuple(others))
+
+
+def with_unit(project: Project, unit: ActionUnit) -> Project:
+    """A project with a unit in place of the one with its number."""
+    return replace(project, units=tuple(unit if each.number == unit.number else each for each in project.units))
+
+
+def _checked_number(project: Project, number: int) -> int:
+    if not 1 <= number <= LARGEST_NUMBER:
+        raise UnitError(f"An action unit cannot have the number {number}; choose one from 1 to {LARGEST_NUMBER}.")
+    for unit in project.units:
+        if unit.number == number:
+            raise UnitError(f"There is an action unit {number} already ({unit.name}); choose another number.")
+    return number
+
+
+def _checked_name(project: Project, name: str, but: ActionUnit | None = None) -> str:
+    plain = " ".join(name.split())
+    if not plain or len(plain) > LONGEST_NAME or LIKE_A_NUMBER.fullmatch(plain):
+        raise UnitError(f"An action unit needs a name of at most {LONGEST_NAME} letters; “{plain[:20]}” is none.")
+    for unit in project.units:
+        if unit is not but and unit.name.lower() == plain.lower():
+            raise UnitError(f"Action unit {unit.number} is called “{unit.name}” already; choose another name.")
+    return plain
+
+
+def _free_name(project: Project, wanted: str) -> str:
+    taken = {unit.name.lower() for unit in project.units}
+    names = (wanted, *(f"{wanted} {count}" for count in range(2, len(taken) + 3)))
+    return next(name for name in names if name.lower() not in taken)
+
+
+def _check_range(what: str, value: float, least: float, most: float, unit: str) -> None:
+    if not (math.isfinite(value) and least <= value <= most):
+        raise UnitError(f"{what} is {value:g}{unit}; choose a number from {least:g} to {most:g}{unit}.")
