@@ -7,13 +7,14 @@ from scipy.spatial.transform import Rotation
 
 from facemodel.actions import Expression
 from facemodel.basis import Basis
+from facemodel.display import DisplaySurface
 from facemodel.face import Face, Jaw
 from facemodel.field_sum import add_field, sum_fields
 from facemodel.glide import LidGlide
 from fem.types import Float32Array, FloatArray
 
 REFRESH_AFTER = 256
-"""Increments of one weight after which the sum is formed anew, so that float32 rounding cannot pile up."""
+"""Additions after which the sum is formed anew, so that float32 rounding cannot pile up."""
 
 SMALLEST_NORMAL = np.float32(1e-12)
 """Guards the division where a surface folds onto itself and its normal vanishes."""
@@ -83,15 +84,38 @@ class Superposition:
             self.parts[name] = self._buffer.reshape(-1, 3)[start : start + count]
             start += count
         self.jaw: FloatArray = np.eye(4)
-        eyes = face.eyes if glide else ()
-        self._first_skin = first_skin
-        self._glide = LidGlide(eyes, self._buffer[: self._live].reshape(-1, 3))
+        self._glide = LidGlide(face.eyes if glide else (), self._buffer[: self._live].reshape(-1, 3))
         self._lids = self._buffer.reshape(-1, 3)[self._glide.points]
+        self._lid_normals = np.zeros_like(self._lids)
+        # The parts come before the skin, so the lids of the skin are the last of all lids.
+        self._first_lid = int(np.searchsorted(self._glide.points, first_skin))
+        self._skin_lids = self._glide.points[self._first_lid :] - first_skin
+
+    def adopt(self, face: Face, basis: Basis) -> bool:
+        """Go on in the same buffers with another basis on the same drawn surface, at rest; whether that is possible.
+
+        Parameters
+        ----------
+        face : the same head, perhaps painted otherwise or with another jaw
+        basis : its displacement fields
+        """
+        if not _drawn_alike(self.basis.display, basis.display) or self._live != basis.fields.shape[1]:
+            return False
+        self.face, self.basis = face, basis
+        self._weights = np.zeros(len(basis.names), dtype=np.float32)
+        self._increments = 0
+        self._buffer[: self._live] = self._rest
+        self._slopes[:] = self._rest_slopes
+        self._lids = self._rest.reshape(-1, 3)[self._glide.points]
+        self._turn_normals()
+        self._turn_jaw()
+        return True
 
     def pose(self, expression: Expression) -> None:
         """Write the buffers for an expression; names without a field are ignored.
 
-        One changed weight costs one scaled addition of a field, more cost the product with the active fields.
+        Fewer changed weights than active ones cost one scaled addition of a field each, more cost a fresh sum of
+        the active fields.
         """
         weights = np.zeros_like(self._weights)
         for name, weight in expression.items():
@@ -103,10 +127,11 @@ class Superposition:
             return
         live = self._buffer[: self._live].reshape(-1, 3)
         live[self._glide.points] = self._lids
-        if len(changed) == 1 and self._increments < REFRESH_AFTER and weights.any():
-            self._increments += 1
-            step = float(weights[changed[0]] - self._weights[changed[0]])
-            self._add(int(changed[0]), step)
+        active = int(np.count_nonzero(weights))
+        if active and len(changed) < max(active, 2) and self._increments + len(changed) <= REFRESH_AFTER:
+            self._increments += len(changed)
+            for k in changed.tolist():
+                self._add(k, float(weights[k] - self._weights[k]))
         else:
             self._increments = 0
             self._sum(weights)
@@ -118,13 +143,11 @@ class Superposition:
 
     def _glided(self) -> Float32Array:
         """The lid points as they lie on the eyeballs; the normals of those on the skin turn with them."""
-        at = self._glide.points - self._first_skin
-        on_skin = at >= 0
-        normals = np.zeros_like(self._lids)
-        normals[on_skin] = self.normals[at[on_skin]]
+        on_skin = self._lid_normals[self._first_lid :]
+        on_skin[:] = self.normals[self._skin_lids]
         lids = self._lids.copy()
-        self._glide.push(lids, normals)
-        self.normals[at[on_skin]] = normals[on_skin]
+        self._glide.push(lids, self._lid_normals)
+        self.normals[self._skin_lids] = on_skin
         return lids
 
     def _add(self, row: int, weight: float) -> None:
@@ -151,3 +174,15 @@ class Superposition:
         for part in self.face.parts:
             if part.carrier == "jaw":
                 self.parts[part.name][:] = part.mesh.positions @ self.jaw[:3, :3].T + self.jaw[:3, 3]
+
+
+def _drawn_alike(one: DisplaySurface, other: DisplaySurface) -> bool:
+    """Whether two surfaces are drawn from the same points."""
+    if one is other:
+        return True
+    return (
+        one.carried == other.carried
+        and one.moving == other.moving
+        and np.array_equal(one.points, other.points)
+        and np.array_equal(one.triangles, other.triangles)
+    )
