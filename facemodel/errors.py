@@ -25,7 +25,3 @@ class MuscleError(RisoriusError):
 
 class PaintError(RisoriusError):
     """A layer cannot be painted, filled or read from a file as it was asked for; the layers stay as they were."""
-
-
-class ActionError(RisoriusError):
-    """An action unit or a named expression cannot be made or changed as it was asked for; all stay as they were."""

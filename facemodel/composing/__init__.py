@@ -1,1 +1,0 @@
-"""Composing action units and emotions: pure functions from frozen projects to frozen projects."""
