@@ -30,12 +30,15 @@ class Strips:
     Attributes
     ----------
     apex : (3 T,) vertex at each corner
+    following, preceding : (3 T,) the next and the previous corner of the same triangle
     across : (3 T,) the corner on the other side of the opposite edge, -1 at the rim
     length : (3 T,) length of the opposite edge, millimetres
     shape : (3 T,) complex, the corner in the frame in which the opposite edge runs from 0 to 1
     """
 
     apex: IntArray
+    following: IntArray
+    preceding: IntArray
     across: IntArray
     length: FloatArray
     shape: ComplexArray
@@ -74,7 +77,9 @@ def strips(mesh: Mesh) -> Strips:
     along = (end - start) / length[:, None]
     x = np.einsum("ij,ij->i", corner - start, along)
     y = np.linalg.norm(corner - start - x[:, None] * along, axis=1)
-    return Strips(triangles.ravel(), _across(triangles), length, (x + 1j * y) / length)
+    corners = np.arange(triangles.size).reshape(-1, 3)
+    following, preceding = np.roll(corners, -1, axis=1).ravel(), np.roll(corners, -2, axis=1).ravel()
+    return Strips(triangles.ravel(), following, preceding, _across(triangles), length, (x + 1j * y) / length)
 
 
 def _across(triangles: IntArray) -> IntArray:
@@ -124,7 +129,7 @@ def unfold(
     while len(windows):
         goes_on = tables.across[windows.corner] >= 0
         if ring >= rings:
-            goes_on &= _distance(windows) <= reach[windows.source]
+            goes_on &= _least_distance(tables, windows) <= reach[windows.source]
         windows, sight = _crossed(tables, windows, np.flatnonzero(goes_on))
         seen.append(sight)
         ring += 1
@@ -133,24 +138,13 @@ def unfold(
 
 
 def _cross(one: ComplexArray, other: ComplexArray) -> FloatArray:
-    return np.asarray(one.real * other.imag - one.imag * other.real)
+    return np.asarray((one.conj() * other).imag)
 
 
-def _quotient(one: FloatArray, other: FloatArray) -> FloatArray:
-    return np.divide(one, other, out=np.zeros_like(one), where=other != 0)
-
-
-def _distance(windows: Windows) -> FloatArray:
-    """Distance (w,) from the source to the part of each edge that it sees; 0 where it sees an edge end on."""
-    edge = windows.left - windows.right
-    height = _cross(windows.right, edge)
-    start = windows.first * _quotient(height, _cross(windows.first, edge))
-    end = windows.last * _quotient(height, _cross(windows.last, edge))
-    part = end - start
-    size = part.real**2 + part.imag**2
-    along = -(start.real * part.real + start.imag * part.imag)
-    share = np.clip(_quotient(along, size), 0.0, 1.0)
-    return np.abs(start + share * part)
+def _least_distance(tables: Strips, windows: Windows) -> FloatArray:
+    """What no point of each edge (w,) is nearer to the source than: cheap to find, and short of it by little."""
+    farther = np.maximum(np.abs(windows.right), np.abs(windows.left))
+    return np.asarray(farther - tables.length[windows.corner])
 
 
 def _crossed(tables: Strips, old: Windows, keep: IntArray) -> tuple[Windows, tuple[IntArray, IntArray, FloatArray]]:
@@ -163,10 +157,9 @@ def _crossed(tables: Strips, old: Windows, keep: IntArray) -> tuple[Windows, tup
     sight = (source[seen], tables.apex[corner[seen]], np.abs(apex[seen]))
     # To the right of the apex lies the edge opposite the next corner, to its left that opposite the previous one.
     a, b = np.flatnonzero(past_first), np.flatnonzero(before_last)
-    turn = corner % 3
     windows = Windows(
         np.concatenate([source[a], source[b]]),
-        np.concatenate([(corner - turn + (turn + 1) % 3)[a], (corner - turn + (turn + 2) % 3)[b]]),
+        np.concatenate([tables.following[corner[a]], tables.preceding[corner[b]]]),
         np.concatenate([right[a], apex[b]]),
         np.concatenate([apex[a], left[b]]),
         np.concatenate([first[a], np.where(past_first, apex, first)[b]]),
