@@ -101,8 +101,13 @@ def _slid_onto_plane(triangles: IntArray, positions: FloatArray, height: FloatAr
     return partner, share
 
 
-def _clip(triangles: IntArray, height: FloatArray) -> tuple[IntArray, dict[tuple[int, int], int]]:
-    """Keep what lies above height zero; new vertices are numbered from len(height), keyed by their edge."""
+def _clip(
+    triangles: IntArray, positions: FloatArray, height: FloatArray
+) -> tuple[IntArray, dict[tuple[int, int], int]]:
+    """Keep what lies above height zero; new vertices are numbered from len(height), keyed by their edge.
+
+    Four corners are split from the old one nearer to the midline, so that both sides are cut the same way.
+    """
     new: dict[tuple[int, int], int] = {}
 
     def crossing(a: int, b: int) -> int:
@@ -120,6 +125,10 @@ def _clip(triangles: IntArray, height: FloatArray) -> tuple[IntArray, dict[tuple
                 polygon.append(a)
             if above[k] != above[(k + 1) % 3] and height[a] != 0 and height[b] != 0:
                 polygon.append(crossing(a, b))
+        if len(polygon) == 4:
+            first = min((c for c in polygon if c < len(height)), key=lambda c: abs(float(positions[c, 0])))
+            at = polygon.index(first)
+            polygon = polygon[at:] + polygon[:at]
         kept += [[polygon[0], polygon[k], polygon[k + 1]] for k in range(1, len(polygon) - 1)]
     return np.array(kept), new
 
@@ -145,7 +154,7 @@ def cut_head(base: BaseMesh, mirror: IntArray, mouth_vertex: int) -> Cut:
     height[np.unique(head[:, :, 0])] = np.maximum(height[np.unique(head[:, :, 0])], 2 * NEAR_PLANE)
     partner, share = _slid_onto_plane(triangles, base.positions, height)
     height[partner != np.arange(len(height))] = 0.0
-    triangles, new = _clip(triangles, height)
+    triangles, new = _clip(triangles, base.positions, height)
 
     old = np.arange(len(height))
     added = np.array(sorted(new, key=lambda edge: new[edge])).reshape(-1, 2)

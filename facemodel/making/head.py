@@ -11,7 +11,7 @@ from facemodel.making.individuals import Individual, positions
 from facemodel.making.landmarks import landmarks as find_landmarks
 from facemodel.making.paint import paint
 from facemodel.making.parts import eye, lashes, pocket, rigid
-from facemodel.making.skull.make import make_skull
+from facemodel.making.skull import make_skull
 from facemodel.making.wheel import Wheel
 from facemodel.mesh import Mesh
 from fem.types import FloatArray
