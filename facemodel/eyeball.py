@@ -29,10 +29,10 @@ opposite to the lamp, as it does in a dish."""
 LIMBUS = 0.9
 """Width over which the white turns into the iris."""
 
-AROUND = 128
-SCLERA_RINGS = 18
-IRIS_RINGS = 18
-CORNEA_AROUND = 48
+AROUND = 104
+SCLERA_RINGS = 13
+IRIS_RINGS = 15
+CORNEA_AROUND = 40
 CORNEA_RINGS = 9
 
 HAZEL = np.array([0.50, 0.34, 0.17])

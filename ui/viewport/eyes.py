@@ -7,7 +7,8 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from facemodel.eyeball import EyeballMesh, Region, eyeball
 from facemodel.face import Eye
-from fem.types import Float32Array, FloatArray
+from facemodel.mesh import Mesh, submesh
+from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.complexion import Colour
 from ui.viewport.lids import LidLine
 from ui.viewport.look import bytes_of
@@ -17,6 +18,8 @@ from ui.viewport.surface import Surface
 UPPER_SHADE, UPPER_REACH = 0.80, 2.6
 LOWER_SHADE, LOWER_REACH = 0.35, 1.0
 """How much light the lids take at their margin, and over how many millimetres that fades."""
+HIDDEN = 0.35
+"""Radii behind its centre from which an eyeball is inside the head."""
 TINT = 0.9
 """How fully an iris takes the colour of its owner; the rest keeps the play between hazel and grey."""
 CORNER_REACH = 2.5
@@ -33,7 +36,7 @@ class EyeInLids:
 
     def __init__(self, eye: Eye, lids: LidLine, iris: Colour) -> None:
         made = eyeball(eye)
-        mesh, index = made.opaque
+        mesh, index = _front(made, eye)
         shell, shell_index = made.cornea
         self.ball = Surface(
             mesh.positions.astype(np.float32),
@@ -43,6 +46,7 @@ class EyeInLids:
         )
         apply(self.ball.actor, EYE, openness=True)
         self.ball.actor.ForceOpaqueOn()
+        self.ball.actor.GetProperty().BackfaceCullingOn()
         self.film = Surface(
             shell.positions.astype(np.float32), made.normals[shell_index].astype(np.float32), shell.triangles
         )
@@ -69,6 +73,12 @@ class EyeInLids:
         if colours is not None:
             colours[self._front, 3] = np.clip(255 * lid_light(self._at, margin), 0, 255)
             self.ball.recoloured()
+
+
+def _front(made: EyeballMesh, eye: Eye) -> tuple[Mesh, IntArray]:
+    """What can be seen of the opaque ball, and the index of each of its vertices in the whole."""
+    behind = made.mesh.positions[:, 2] < eye.centre[2] - HIDDEN * eye.radius
+    return submesh(made.mesh, (made.regions != Region.CORNEA) & ~behind[made.mesh.triangles].all(axis=1))
 
 
 def tinted(made: EyeballMesh, iris: Colour) -> FloatArray:

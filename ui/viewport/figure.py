@@ -30,24 +30,22 @@ class Figure:
     skin : the skin
     eyes : both eyes
     lashes : of the eyes whose lids are known
-    cut : where the neck ends, if the skin has one
     """
 
     def __init__(self, posed: Superposition) -> None:
         self.posed = posed
         face, display = posed.face, posed.basis.display
         self._look = look_of(face)
-        self.skin = Skin(posed, self._look)
+        cut = neck_cut(display)
+        self.skin = Skin(posed, self._look, cut)
         self.eyes = tuple(EyeInLids(eye, lid_line(display, eye), self._look.palette.iris) for eye in face.eyes)
         self.lashes: list[Lashes] = []
-        self.cut = neck_cut(face)
         self._carried: list[Surface] = []
         self._jaw: list[Surface] = []
         self._still: list[Surface] = []
         self._caps: list[Surface] = []
-        if self.cut is not None:
-            self.skin.surface.mapper.AddClippingPlane(self.cut.plane)
-            self._caps.append(neck_cap(self.cut, display))
+        if cut is not None:
+            self._caps.append(neck_cap(cut, display))
         for part in face.parts:
             self._place(part)
         self._seam = seam(self.skin.surface, display, self._look.palette) if self._carried else None
@@ -76,6 +74,8 @@ class Figure:
     def actors(self) -> Iterator[vtkActor]:
         """All that is drawn; the clear film of the eyes comes last."""
         yield self.skin.surface.actor
+        if self.skin.hem is not None:
+            yield self.skin.hem.actor
         if self._seam is not None:
             yield self._seam
         for surface in (*self._still, *self._jaw, *self._carried, *self._caps):

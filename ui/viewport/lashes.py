@@ -10,10 +10,10 @@ from ui.viewport.lids import LidLine
 from ui.viewport.shading import HAIR, apply
 from ui.viewport.surface import Surface
 
-COUNT = {"upper": 92, "lower": 50}
+COUNT = {"upper": 80, "lower": 40}
 LENGTH = {"upper": 7.6, "lower": 3.4}
 """Hairs per lid, and their length in millimetres where they are longest."""
-SEGMENTS = 5
+SEGMENTS = 4
 ROOT_WIDTH = {"upper": 0.24, "lower": 0.15}
 """Millimetres; a hair is thinner, but several grow together."""
 

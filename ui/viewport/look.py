@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
+from app.differences import same_head
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.mesh import Mesh
@@ -44,9 +45,23 @@ class Look:
     detail: Detail | None
 
 
-@lru_cache(maxsize=KEPT)
+_known: deque[tuple[Face, Look]] = deque(maxlen=KEPT)
+
+
 def look_of(face: Face) -> Look:
-    """The look of a face; one whose features are unknown has one colour and no detail."""
+    """The look of a face; one whose features are unknown has one colour and no detail.
+
+    It is remembered, and the same for all paint on one head.
+    """
+    for known, look in tuple(_known):
+        if same_head(known, face):
+            return look
+    look = _look(face)
+    _known.append((face, look))
+    return look
+
+
+def _look(face: Face) -> Look:
     palette = palette_of(face)
     if has_features(face):
         return Look(palette, complexion(face).colours, _shade(face, face.skin), skin_detail(face))

@@ -5,6 +5,7 @@ It draws nothing by itself: whoever changes it asks for a picture afterwards, at
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
@@ -12,6 +13,7 @@ import numpy as np
 import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
+from app.differences import same_head
 from app.view_state import ViewState
 from facemodel.actions import Expression
 from facemodel.basis import Basis
@@ -20,8 +22,8 @@ from facemodel.project import Project
 from facemodel.sampling import ELEMENTS, display_surface, head_surface
 from facemodel.solve import Solution
 from facemodel.superposition import Superposition
-from fem.types import FloatArray
-from ui.viewport.backdrop import Backdrop
+from fem.types import Float32Array, FloatArray
+from ui.viewport.backdrop import hang
 from ui.viewport.camera import (
     DIRECTIONS,
     Frame,
@@ -46,6 +48,9 @@ from ui.viewport.overlays.wireframe import WireframeOverlay
 from ui.viewport.pick import Hit, first_hit, ray_through, skin_vertex
 from ui.viewport.shading import Ghost
 
+Coat = Callable[[Drawn], Float32Array | None]
+"""Makes colours (P, 4) of what is drawn, or None."""
+
 RESCALED = 0.02
 """Change of the picture's scale after which what has a size on the screen is made anew."""
 
@@ -61,6 +66,7 @@ class Scene:
     ----------
     plotter, renderer : where it draws
     figure : the face as it is drawn; none before the first project
+    coat : paints the skin where nothing glows, before influence and supports do; then call `repaint`
     state : what is shown
     """
 
@@ -70,6 +76,7 @@ class Scene:
         self.figure: Figure | None = None
         self.state = ViewState()
         self._drawn: Drawn | None = None
+        self.coat: Coat | None = None
         self._overlays: dict[str, Overlay] = {
             "skull": SkullOverlay(self.renderer),
             "muscles": MusclesOverlay(self.renderer),
@@ -81,12 +88,11 @@ class Scene:
         plotter.camera_set = True
         light(self.renderer)
         self.renderer.SetUseOIT(False)
-        self._backdrop = Backdrop(plotter)
         self.dress(theme)
 
     def dress(self, theme: str) -> None:
         """Hang the backdrop of a theme, ``dark`` or ``light``."""
-        self._backdrop.hang(theme)
+        hang(self.renderer, theme)
 
     def show(self, project: Project, solution: Solution | None = None) -> None:
         """Show a project, at rest; without a solution the neutral face alone.
@@ -95,28 +101,33 @@ class Scene:
         """
         before = self._drawn
         basis = solution.basis if solution is not None else neutral_basis(project)
-        if self.figure is not None:
-            for actor in self.figure.actors:
-                self.renderer.RemoveActor(actor)
-        self.figure = Figure(Superposition(project.face, basis))
-        for actor in self.figure.actors:
-            self.renderer.AddActor(actor)
+        same = before is not None and same_head(before.project.face, project.face)
+        if self.figure is None or not same or not self.figure.posed.adopt(project.face, basis):
+            self._become(Figure(Superposition(project.face, basis)))
+        assert self.figure is not None
         self._drawn = Drawn(project, self.figure, {}, self.state.muscle)
-        if before is None or before.project.face is not project.face:
+        if not same:
             self.look_from(self.state.view if self.state.view in DIRECTIONS else "three-quarter")
         self._ghost()
         self._paint()
         for name, overlay in self._overlays.items():
             self._switch(overlay, getattr(self.state, name), rebuild=True)
 
+    def _become(self, figure: Figure) -> None:
+        for actor in self.figure.actors if self.figure is not None else ():
+            self.renderer.RemoveActor(actor)
+        self.figure = figure
+        for actor in figure.actors:
+            self.renderer.AddActor(actor)
+
     def update_project(self, project: Project) -> None:
         """Take over another value of the same face's project, for example other muscles or weights."""
-        if self._drawn is None or project.face is not self._drawn.project.face:
+        if self._drawn is None or not same_head(project.face, self._drawn.project.face):
             self.show(project)
             return
         before = self._drawn.project
         self._drawn = replace(self._drawn, project=project)
-        if before.muscles is not project.muscles or before.units is not project.units:
+        if any(getattr(before, name) is not getattr(project, name) for name in ("face", "muscles", "units")):
             self._paint()
             for name, overlay in self._overlays.items():
                 self._switch(overlay, getattr(self.state, name), rebuild=True)
@@ -144,6 +155,15 @@ class Scene:
             anew = name == "influence" and state.muscle != before.muscle
             self._switch(overlay, getattr(state, name), rebuild=anew)
         self._follow()
+
+    @property
+    def drawn(self) -> Drawn | None:
+        """What is on the screen; none before the first project."""
+        return self._drawn
+
+    def repaint(self) -> None:
+        """Lay on the skin anew whatever lies on it."""
+        self._paint()
 
     def glow(self, keys: frozenset[str]) -> None:
         """Make the skin glow where some muscles pull; an empty set ends it."""
@@ -228,6 +248,8 @@ class Scene:
         if self.figure is None or self._drawn is None:
             return
         colours = glow_paint(self._drawn) if self._drawn.glowing else None
+        if colours is None and self.coat is not None:
+            colours = self.coat(self._drawn)
         if colours is None and self.state.influence:
             colours = influence_paint(self._drawn)
         if colours is None and self.state.supports:

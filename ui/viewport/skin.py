@@ -7,12 +7,14 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
+from facemodel.display import DisplaySurface
 from facemodel.superposition import Superposition
-from fem.types import Float32Array
+from fem.types import Float32Array, FloatArray
 from ui.viewport.complexion import Palette
 from ui.viewport.look import Look, at_points, bytes_of
+from ui.viewport.neck import NeckCut
 from ui.viewport.shading import SKIN, Ghost, apply
-from ui.viewport.surface import Surface
+from ui.viewport.surface import ByteArray, Surface
 
 PAINT = "paint"
 
@@ -23,36 +25,36 @@ class Skin:
     Attributes
     ----------
     surface : what VTK draws; its points and normals are those of the superposition
+    hem : the strip along the cut of the neck, if there is one
     """
 
-    def __init__(self, posed: Superposition, look: Look) -> None:
+    def __init__(self, posed: Superposition, look: Look, cut: NeckCut | None) -> None:
         face, display = posed.face, posed.basis.display
-        colours = np.column_stack([at_points(face, display, look.colours), at_points(face, display, look.open)])
-        self.surface = Surface(posed.points, posed.normals, display.triangles, bytes_of(colours))
+        colours = bytes_of(
+            np.column_stack([at_points(face, display, look.colours), at_points(face, display, look.open)])
+        )
+        triangles = display.triangles if cut is None else display.triangles[cut.kept]
+        self.surface = Surface(posed.points, posed.normals, triangles, colours)
         self._detail = "" if look.detail is None else _detail_of(look.palette)
         if look.detail is not None:
             self.surface.wear(look.detail.image, at_points(face, display, look.detail.coordinates))
+        self.hem = None if cut is None else _hem(cut, display, colours)
+        self._cut = cut
         self._ghost = Ghost.SOLID
-        self._paint: Float32Array | None = None
+        self._painted = False
         self._dress()
 
     def paint(self, colours: Float32Array | None) -> None:
         """Lay colours (P, 4) over the skin, sRGB and how much of it they cover, 0..1; None takes them off."""
-        data, mapper = self.surface.data.GetPointData(), self.surface.mapper
-        fresh = (colours is None) != (self._paint is None)
-        self._paint = colours
-        data.RemoveArray(PAINT)
-        if colours is not None:
-            layer = numpy_to_vtk(np.ascontiguousarray(colours, dtype=np.float32), deep=True, array_type=VTK_FLOAT)
-            layer.SetName(PAINT)
-            data.AddArray(layer)
+        if colours is None and not self._painted:
+            return
+        fresh = (colours is not None) != self._painted
+        self._painted = colours is not None
+        _lay(self.surface, colours)
+        if self.hem is not None and self._cut is not None:
+            _lay(self.hem, None if colours is None else self._cut.of(colours))
         if fresh:
-            mapper.RemoveAllVertexAttributeMappings()
-            if colours is not None:
-                points = vtkDataObject.FIELD_ASSOCIATION_POINTS
-                mapper.MapDataArrayToVertexAttribute("paintMC", PAINT, points, -1)
             self._dress()
-        self.surface.data.Modified()
 
     def ghost(self, ghost: Ghost) -> None:
         """Make the skin solid, or let what lies behind it shine through."""
@@ -61,15 +63,39 @@ class Skin:
             self._dress()
 
     def _dress(self) -> None:
-        actor = self.surface.actor
         solid = self._ghost is Ghost.SOLID
-        actor.SetForceOpaque(solid)
-        actor.SetForceTranslucent(not solid)
-        actor.GetProperty().SetBackfaceCulling(not solid)
-        detail = self._detail
-        if self._paint is not None:
-            detail += "\n  albedo = mix(albedo, paintVSOutput.rgb * paintVSOutput.rgb, paintVSOutput.a);"
-        apply(actor, SKIN, openness=True, detail=detail, ghost=self._ghost, painted=self._paint is not None)
+        over = "\n  albedo = mix(albedo, paintVSOutput.rgb * paintVSOutput.rgb, paintVSOutput.a);"
+        for surface, detail in ((self.surface, self._detail), (self.hem, "")):
+            if surface is None:
+                continue
+            surface.actor.SetForceOpaque(solid)
+            surface.actor.SetForceTranslucent(not solid)
+            surface.actor.GetProperty().BackfaceCullingOn()
+            glsl = detail + over if self._painted else detail
+            apply(surface.actor, SKIN, openness=True, detail=glsl, ghost=self._ghost, painted=self._painted)
+
+
+def _hem(cut: NeckCut, display: DisplaySurface, colours: ByteArray) -> Surface:
+    """The strip along the cut of the neck, which stands still."""
+    return Surface(
+        cut.of(display.points).astype(np.float32),
+        cut.of(display.normals).astype(np.float32),
+        cut.strip,
+        np.ascontiguousarray(cut.of(colours), dtype=np.uint8),
+    )
+
+
+def _lay(surface: Surface, colours: FloatArray | Float32Array | None) -> None:
+    """Give a surface colours (n, 4) as the vertex attribute that painted materials read, or take them away."""
+    data, mapper = surface.data.GetPointData(), surface.mapper
+    data.RemoveArray(PAINT)
+    mapper.RemoveAllVertexAttributeMappings()
+    if colours is not None:
+        layer = numpy_to_vtk(np.ascontiguousarray(colours, dtype=np.float32), deep=True, array_type=VTK_FLOAT)
+        layer.SetName(PAINT)
+        data.AddArray(layer)
+        mapper.MapDataArrayToVertexAttribute("paintMC", PAINT, vtkDataObject.FIELD_ASSOCIATION_POINTS, -1)
+    surface.data.Modified()
 
 
 def _detail_of(palette: Palette) -> str:

@@ -84,6 +84,7 @@ def row_of_teeth(part: Part) -> Surface:
     )
     apply(surface.actor, TOOTH, openness=True)
     surface.actor.ForceOpaqueOn()
+    surface.actor.GetProperty().BackfaceCullingOn()
     return surface
 
 

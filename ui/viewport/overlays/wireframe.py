@@ -45,8 +45,6 @@ class WireframeOverlay(Overlay):
 def _lines(drawn: Drawn, edges: IntArray, colour: tuple[float, float, float]) -> vtkActor:
     actor = companion(drawn.figure.skin.surface, edges)
     mapper = actor.GetMapper()
-    if drawn.figure.cut is not None:
-        mapper.AddClippingPlane(drawn.figure.cut.plane)
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -4.0)
     shown = actor.GetProperty()
