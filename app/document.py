@@ -39,7 +39,8 @@ class Document(DocumentSignals):
     """
 
     def __init__(self, project: Project, path: Path | None = None) -> None:
-        self._project = self._saved = in_order(project)
+        self._project: Project = in_order(project)
+        self._saved: Project | None = self._project
         self._path = path
         self._history = History()
         self._held: dict[str, float] = {}
@@ -69,7 +70,9 @@ class Document(DocumentSignals):
     @property
     def dirty(self) -> bool:
         """Whether it differs from what was last saved, read or begun."""
-        return not self._history.at_saved and not same_content(self._project, self._saved)
+        if self._history.at_saved:
+            return False
+        return self._saved is None or not same_content(self._project, self._saved)
 
     @property
     def shown(self) -> Expression:
@@ -211,6 +214,10 @@ class Document(DocumentSignals):
         """Read a project; if that fails all stays as it was."""
         self._begin(load_project(path), path)
 
+    def restore(self, project: Project, path: Path | None) -> None:
+        """Go on with a project that was brought back after a crash, as changes of its file that are not saved."""
+        self._begin(project, path, saved=False)
+
     def save(self, path: Path | None = None) -> None:
         """Write the project, to its own file if none is named.
 
@@ -241,12 +248,12 @@ class Document(DocumentSignals):
         self._history.push(command)
         self._become(project)
 
-    def _begin(self, project: Project, path: Path | None) -> None:
-        self._history = History()
+    def _begin(self, project: Project, path: Path | None, saved: bool = True) -> None:
+        begun = in_order(project)
+        self._history = History(saved=saved)
         self._held = {}
-        self._path = path
-        self._saved = in_order(project)
-        self._become(self._saved, Changes(whole=True))
+        self._path, self._saved = path, begun if saved else None
+        self._become(begun, Changes(whole=True))
 
     def _become(self, project: Project, known: Changes | None = None) -> None:
         """Take another state of the project and tell everyone what is different."""

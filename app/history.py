@@ -17,14 +17,15 @@ class History:
     Parameters
     ----------
     most_steps, most_bytes : the oldest steps are forgotten beyond these; the newest is always kept
+    saved : whether what it begins with is saved
     """
 
-    def __init__(self, most_steps: int = MOST_STEPS, most_bytes: int = MOST_BYTES) -> None:
+    def __init__(self, most_steps: int = MOST_STEPS, most_bytes: int = MOST_BYTES, saved: bool = True) -> None:
         self._most_steps = most_steps
         self._most_bytes = most_bytes
         self._done: list[Command] = []
         self._undone: list[Command] = []
-        self._saved: int | None = 0
+        self._saved: int | None = 0 if saved else None
         self._undone_before: list[Command] = []
 
     @property
