@@ -1,5 +1,6 @@
 """Solving a project: told as it goes, stopped when asked, and clear about a face that nothing holds."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -27,7 +28,8 @@ def test_progress_rises_from_nothing_to_the_whole() -> None:
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
     assert all(texts)
-    assert any("6 of 6" in text for text in texts)
+    counted = [match.groups() for text in texts if (match := re.search(r"(\d+) of (\d+)", text))]
+    assert counted[-1][0] == counted[-1][1] != "0"
 
 
 @pytest.mark.parametrize("after", [1, 2, 3, 5])
