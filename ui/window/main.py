@@ -1,4 +1,4 @@
-"""Start the editor: the one place where all parts are made and tied together."""
+"""Start the editor: what comes before the window, in the order that brings the face to the screen soonest."""
 
 from __future__ import annotations
 
@@ -10,19 +10,15 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication
 
 from app.document import Document
-from app.jobs import Solve, SolveJob
 from app.preferences import Preferences
 from app.settings import UserSettings
-from app.solving import Solving
-from app.view import View
-from facemodel.cache import solve_cached
 from facemodel.errors import RisoriusError
 from facemodel.io.project_file import load_project
 from facemodel.projects import new_project
 from ui.theme.apply import apply_theme
 from ui.theme.roles import THEMES
-from ui.window.delivery import UiThread
-from ui.window.main_window import MainWindow
+from ui.viewport.look import look_of
+from ui.window.preparation import Preparation
 from ui.window.unforeseen import Unforeseen
 
 
@@ -38,7 +34,12 @@ def run(path: Path | None = None) -> int:
     settings = UserSettings()
     follow_theme(app, settings)
     document, complaint = first_document(path)
-    window = make_window(document, settings)
+    preparation = Preparation()
+    preparation.begin(lambda: look_of(document.project.face))
+    # VTK takes a second to load; the face is made ready meanwhile.
+    from ui.window.editor import make_window
+
+    window = make_window(document, settings, preparation)
     Unforeseen(window).install()
     window.show()
     for sentence in filter(None, (complaint, settings.notice)):
@@ -82,13 +83,3 @@ def first_document(path: Path | None) -> tuple[Document, str]:
         return Document(load_project(path), path), ""
     except RisoriusError as error:
         return Document(new_project()), str(error)
-
-
-def make_window(document: Document, settings: UserSettings, solve: Solve = solve_cached) -> MainWindow:
-    """A window on a document, which ``solve`` solves in the background from now on."""
-    thread = UiThread()
-    solving = Solving(document, SolveJob(solve, thread.deliver))
-    window = MainWindow(document, View(), settings, solving)
-    thread.setParent(window)
-    solving.solve()
-    return window

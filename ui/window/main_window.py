@@ -31,6 +31,7 @@ from ui.window.host import WindowHost
 from ui.window.layout import Layout, layout_from, layout_text
 from ui.window.menus import fill_menus
 from ui.window.palette_entries import palette_entries
+from ui.window.preparation import Preparation
 from ui.window.solve_progress import SolveProgress
 from ui.window.status_line import StatusLine
 from ui.window.tool_strip import ToolStrip
@@ -54,9 +55,12 @@ class MainWindow(QMainWindow):
     Parameters
     ----------
     document, view, settings, solving : what is shown and changed; they outlive the window
+    preparation : makes faces ready to be drawn; it ends with the window
     """
 
-    def __init__(self, document: Document, view: View, settings: UserSettings, solving: Solving) -> None:
+    def __init__(
+        self, document: Document, view: View, settings: UserSettings, solving: Solving, preparation: Preparation
+    ) -> None:
         super().__init__()
         self.setAcceptDrops(True)
         self.setMinimumSize(LEAST)
@@ -66,7 +70,7 @@ class MainWindow(QMainWindow):
         bench = Bench(document, view)
         self.toolbox = ToolBox(bench, all_tools())
         self.binding = ActionBinding(self, self.context, self._actions)
-        self.viewport = Viewport(document, view, self)
+        self.viewport = Viewport(document, view, preparation, self)
         self.setCentralWidget(self.viewport)
         self.panels = WorkspacePanels(Parts(self.context, bench, self.toolbox, self.viewport), WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")

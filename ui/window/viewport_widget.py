@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QPoint, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from app.differences import same_head
 from app.document import Document
 from app.view import View
 from app.view_state import ViewName, ViewState
@@ -23,11 +24,12 @@ from ui.panels.muscle_list import muscle_label
 from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID
 from ui.viewport.interaction import CameraHands
-from ui.viewport.scene import Scene
+from ui.viewport.look import look_of
+from ui.viewport.scene import Scene, neutral_basis
 from ui.widgets.pointer_label import PointerLabel
 from ui.window.canvas import FRAME, Canvas
 from ui.window.face_pointer import FacePointer
-from ui.window.face_preparation import FacePreparation
+from ui.window.preparation import Preparation
 
 TURNTABLE = 24.0
 """Degrees per second: once round in a quarter of a minute."""
@@ -52,7 +54,7 @@ class Viewport(QWidget):
     muscle_hovered = Signal(object)
     timed = Signal()
 
-    def __init__(self, document: Document, view: View, parent: QWidget) -> None:
+    def __init__(self, document: Document, view: View, preparation: Preparation, parent: QWidget) -> None:
         super().__init__(parent)
         self._document = document
         self._view = view
@@ -63,7 +65,7 @@ class Viewport(QWidget):
         self._reported_at = 0.0
         self._over: list[QWidget] = []
         self.frame_time = 0.0
-        self._preparation = FacePreparation(self)
+        self._preparation = preparation
         self.canvas = Canvas(self)
         self.scene = Scene(self.canvas, current_theme().name)
         self.scene.apply(view.state)
@@ -79,20 +81,23 @@ class Viewport(QWidget):
     @property
     def shows_face(self) -> bool:
         """Whether the document's own face is drawn, solved or at rest."""
-        return self._shown is not None and self._shown[0] is self._document.project.face
+        return self._shown is not None and same_head(self._shown[0], self._document.project.face)
 
     def show_document(self) -> None:
         """Draw the document's face, with its solution if there is one; until it is prepared the last one stays."""
-        project, solution = self._document.project, self._document.solution
-        if self._shown == (project.face, solution):
+        project, solution = self._document.project, self._solution
+        if self.shows_face and self._shown == (self._shown[0], solution):
+            self._shown = (project.face, solution)
             self.scene.update_project(project)
             self._pose(self._document.shown)
+        elif self.shows_face and solution is not None:
+            self._show_prepared()
         elif self._coming != (project.face, solution):
             self._coming = (project.face, solution)
-            self._preparation.prepare(project, solution is None, self._show_prepared)
+            self._preparation.prepare(lambda: _ready(project, solution), self._show_prepared)
 
     def _show_prepared(self) -> None:
-        project, solution = self._document.project, self._document.solution
+        project, solution = self._document.project, self._solution
         self._shown, self._coming = (project.face, solution), None
         self.scene.show(project, solution)
         self._pose(self._document.shown)
@@ -165,6 +170,9 @@ class Viewport(QWidget):
         self.canvas.drawn.connect(self._note_time)
         self._document.project_changed.connect(self._show_anew)
         self._document.solution_changed.connect(self._show_anew)
+        self._document.layers_changed.connect(self._edited)
+        self._document.muscles_changed.connect(self._edited)
+        self._document.skull_changed.connect(self._edited)
         self._document.expression_changed.connect(self._pose)
         self._view.changed.connect(self._apply)
         self._view.camera_asked.connect(self._look_from)
@@ -174,6 +182,15 @@ class Viewport(QWidget):
         self._hands = CameraHands(
             self.canvas.iren.interactor, self.canvas.renderer, lambda: self.scene.pivot, self._moved_by_hand
         )
+
+    @property
+    def _solution(self) -> Solution | None:
+        """What the face is drawn with: the last solution, or the one before it where that is asked for."""
+        before = self._document.previous_solution if self._view.state.before else None
+        return before or self._document.solution
+
+    def _edited(self, *_what: object) -> None:
+        self._show_anew(None)
 
     def _show_anew(self, _now: Project | Solution | None) -> None:
         """A face without a solution is shown once it is known that solving takes a while."""
@@ -205,6 +222,8 @@ class Viewport(QWidget):
 
     def _apply(self, now: ViewState, before: ViewState) -> None:
         self.scene.apply(now)
+        if now.before != before.before:
+            self._show_anew(None)
         if now.turntable and not before.turntable:
             self._turned_at = time.perf_counter()
             self._turntable.start()
@@ -234,3 +253,10 @@ class Viewport(QWidget):
         for card in self._over:
             card.adjustSize()
             card.move(2 * GRID, self.height() - card.height() - 2 * GRID)
+
+
+def _ready(project: Project, solution: Solution | None) -> None:
+    """Compute what `Scene.show` needs and those who make it remember."""
+    look_of(project.face)
+    if solution is None:
+        neutral_basis(project)

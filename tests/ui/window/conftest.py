@@ -17,8 +17,10 @@ from facemodel.projects import new_project
 from facemodel.solve import Progress, Solution, solve_project
 from ui.theme.apply import apply_theme
 from ui.theme.roles import DARK
-from ui.window.main import follow_theme, make_window
+from ui.window.editor import make_window
+from ui.window.main import follow_theme
 from ui.window.main_window import MainWindow
+from ui.window.preparation import Preparation
 
 
 @pytest.fixture(scope="session")
@@ -55,7 +57,7 @@ def open_window(qtbot, settings: UserSettings, solution: Solution) -> Iterator[C
         return solution
 
     def open_(document: Document, solve: Solve = known, wait: bool = True) -> MainWindow:
-        window = make_window(document, settings, solve)
+        window = make_window(document, settings, Preparation(), solve)
         opened.append(window)
         if not settings.preferences.geometry:
             window.resize(window.minimumSize())
