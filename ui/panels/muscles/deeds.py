@@ -1,0 +1,152 @@
+"""What can be done with the selected muscles: duplicate, mirror, link, copy, paste, delete, hide and lock."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from app.actions.action import Action
+from app.actions.context import Context
+from facemodel.laying.clipboard import muscles_from, muscles_text
+from facemodel.laying.collection import added, deleted, duplicated, on_other_side, users_of
+from facemodel.laying.sides import linked, partner, unlinked
+from facemodel.muscles import Muscle
+from facemodel.project import Project
+from ui.panels.muscles.selection import chosen, in_step, titles, with_partners
+
+MENU = ("Edit", "Muscle")
+
+
+def selected(context: Context) -> tuple[Muscle, ...]:
+    """The selected muscles."""
+    return chosen(context.document.project, context.view.state)
+
+
+def delete(context: Context) -> None:
+    """Delete the selected muscles and their linked partners, and say which units contracted them."""
+    project = context.document.project
+    gone = with_partners(project, selected(context))
+    outcome = deleted(project, [muscle.key for muscle in gone])
+    names = titles(gone)
+    context.document.edit(outcome.project, f"Delete {names}")
+    context.view.change(muscle="")
+    numbers = sorted({number for users in outcome.users.values() for number in users})
+    if numbers:
+        units = ", ".join(map(str, numbers))
+        names = f"{names}, which AU {units} contracted"
+    context.host.show_message(f"Deleted {names}. Ctrl+Z brings it back.")
+
+
+def duplicate(context: Context) -> None:
+    """Copy the selected muscles and their linked partners to the same place, and select the copies."""
+    muscles = with_partners(context.document.project, selected(context))
+    project, keys = duplicated(context.document.project, [muscle.key for muscle in muscles])
+    context.document.edit(project, f"Duplicate {titles(muscles)}")
+    _select(context, keys)
+
+
+def mirror(context: Context) -> None:
+    """Lay the mirror image of the selected muscles on the other side, in place of what is there."""
+    muscles = [muscle for muscle in selected(context) if muscle.side != "M"]
+    project, keys = on_other_side(context.document.project, [muscle.key for muscle in muscles])
+    context.document.edit(project, f"{titles(muscles)} to the other side")
+    _select(context, keys)
+
+
+def link(context: Context) -> None:
+    """Keep the selected muscles and their partners in step, or no longer."""
+    project, muscles = context.document.project, selected(context)
+    apart = _linked(context)
+    for muscle in muscles:
+        changed = unlinked(project.muscles, muscle) if apart else linked(project.muscles, muscle, project.face)
+        project = replace(project, muscles=changed)
+    context.document.edit(project, f"{'Unlink' if apart else 'Link'} sides of {titles(muscles)}")
+
+
+def copy(context: Context) -> None:
+    """Put the selected muscles into the clipboard as text."""
+    muscles = selected(context)
+    context.host.set_clipboard(muscles_text(muscles, context.document.project.face))
+    context.host.show_message(f"Copied {titles(muscles)}")
+
+
+def paste(context: Context) -> None:
+    """Lay the muscles of the clipboard, fitted to this head if they come from another one."""
+    muscles = muscles_from(context.host.clipboard(), context.document.project.face)
+    project, keys = added(context.document.project, muscles)
+    context.document.edit(project, f"Paste {titles(muscles)}")
+    _select(context, keys)
+
+
+def select_all(context: Context) -> None:
+    """Select every muscle."""
+    _select(context, tuple(muscle.key for muscle in context.document.project.muscles))
+
+
+def users_text(project: Project, muscles: tuple[Muscle, ...]) -> str:
+    """Which units contract some muscles."""
+    numbers = sorted({number for muscle in muscles for number in users_of(project, muscle.name)})
+    if not numbers:
+        return "No action unit contracts it yet"
+    return f"Contracted by AU {', '.join(map(str, numbers))}"
+
+
+def _select(context: Context, keys: tuple[str, ...]) -> None:
+    if keys:
+        context.view.change(muscle=keys[0], others=frozenset(keys[1:]))
+
+
+def _any(context: Context) -> bool:
+    return bool(selected(context))
+
+
+def _sided(context: Context) -> bool:
+    return any(muscle.side != "M" for muscle in selected(context))
+
+
+def _has_partner(context: Context) -> bool:
+    muscles = context.document.project.muscles
+    return any(partner(muscles, muscle) is not None for muscle in selected(context))
+
+
+def _linked(context: Context) -> bool:
+    return any(in_step(context.document.project, muscle) for muscle in selected(context))
+
+
+def _has_muscles(context: Context) -> bool:
+    return bool(context.document.project.muscles)
+
+
+MUSCLE_ACTIONS = (
+    Action("muscle.duplicate", "Duplicate", duplicate, menu=MENU, hint="Copy the selected muscles", enabled=_any),
+    Action(
+        "muscle.mirror",
+        "To the other side",
+        mirror,
+        menu=MENU,
+        hint="Lay the mirror image of the selected muscles on the other side, in place of what is there",
+        enabled=_sided,
+    ),
+    Action(
+        "muscle.link",
+        "Keep sides in step",
+        link,
+        menu=MENU,
+        hint="Whatever is changed on one side is changed on the other",
+        kind="toggle",
+        enabled=_has_partner,
+        checked=_linked,
+    ),
+    Action("muscle.copy", "Copy muscles", copy, menu=MENU, group=1, hint="Copy them as text", enabled=_any),
+    Action("muscle.paste", "Paste muscles", paste, menu=MENU, group=1, hint="Lay the muscles in the clipboard"),
+    Action("muscle.all", "Select all muscles", select_all, menu=MENU, group=2, enabled=_has_muscles),
+    Action(
+        "muscle.delete",
+        "Delete muscles",
+        delete,
+        menu=MENU,
+        group=3,
+        hint="Delete the selected muscles, with the partners that are in step with them",
+        enabled=_any,
+    ),
+)
+"""For the tree's buttons and menu, the menu bar and the palette."""
