@@ -10,7 +10,7 @@ from facemodel.making.cut import Cut, cut_head
 from facemodel.making.individuals import Individual, positions
 from facemodel.making.landmarks import landmarks as find_landmarks
 from facemodel.making.paint import paint
-from facemodel.making.parts import eye, lashes, pocket, rigid
+from facemodel.making.parts import eye, lashes, lowered_tongue, pocket, rigid
 from facemodel.making.skull import make_skull
 from facemodel.making.wheel import Wheel
 from facemodel.mesh import Mesh
@@ -58,7 +58,7 @@ def make_face(wheel: Wheel, person: Individual, cut: Cut) -> Face:
         *(lashes(base, shape, skin.positions, loops[side], side) for side in ("L", "R")),
         rigid(base, shape, "helper-upper-teeth", "teeth-upper", "teeth", "skull"),
         rigid(base, shape, "helper-lower-teeth", "teeth-lower", "teeth", "jaw"),
-        rigid(base, shape, "helper-tongue", "tongue", "tongue", "jaw"),
+        lowered_tongue(rigid(base, shape, "helper-tongue", "tongue", "tongue", "jaw")),
     )
     return Face(
         key=person.key,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.optimize import least_squares
 from scipy.sparse import csr_array, diags_array
@@ -95,8 +97,36 @@ def pocket(base: BaseMesh, shape: FloatArray, cut: Cut, seed: int, name: str, ki
     if kind == "lining":
         mesh = mesh.moved(_withdrawn(mesh.positions, mesh.positions[rim]))
     shares = _harmonic_shares(mesh, rim)
+    if kind == "lining":
+        shares = _with_own_lip(shares, shape[used], rim)
     anchors = np.broadcast_to(np.array([skin_of[int(used[k])] for k in rim]), shares.shape).copy()
     return Part(name, kind, "skin", mesh, anchors, shares)
+
+
+def _with_own_lip(shares: FloatArray, points: FloatArray, rim: IntArray) -> FloatArray:
+    """Shares (n, len(rim)) by which the floor of the mouth follows the lower lip alone and its roof the upper one.
+
+    Without it the floor would rise against a jaw that opens, and hide the lower teeth.
+    """
+    level = points[rim][:, 1].mean()
+    t = np.clip((level - points[:, 1]) / LIP_SEAM, -1, 1)
+    low = (1 + np.sin(np.pi / 2 * t)) / 2
+    is_low = low[rim]
+    own = shares * (low[:, None] * is_low + (1 - low[:, None]) * (1 - is_low) + 1e-6)
+    own[rim] = shares[rim]
+    return np.asarray(own / own.sum(axis=1, keepdims=True))
+
+
+LIP_SEAM = 5.0
+"""Millimetres above and below the slit over which the lining goes from the one lip to the other."""
+
+
+def lowered_tongue(part: Part) -> Part:
+    """The tongue at rest behind the lower teeth: the base mesh's fills the closed mouth to the palate."""
+    points = part.mesh.positions
+    floor = points[:, 1].min()
+    flat = np.stack([points[:, 0] * 0.92, floor + 0.55 * (points[:, 1] - floor), points[:, 2] - 5.0], axis=1)
+    return replace(part, mesh=part.mesh.moved(flat))
 
 
 def _withdrawn(points: FloatArray, rim: FloatArray) -> FloatArray:
