@@ -1,4 +1,4 @@
-"""Solving in the background: progress, cancellation, and the latest request wins."""
+"""Work in the background, solving above all: progress, cancellation, and the latest request wins."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import partial
 from threading import Event
+from typing import Any, Generic, TypeVar
 
 from psygnal import Signal
 
@@ -17,8 +18,14 @@ from facemodel.errors import RisoriusError
 from facemodel.project import Project
 from facemodel.solve import Cancelled, Progress, Solution
 
-Solve = Callable[[Project, Progress], Solution]
-"""Solves a snapshot; it calls the progress between its phases and lets pass what that raises."""
+Asked = TypeVar("Asked")
+Given = TypeVar("Given")
+
+Work = Callable[[Asked, Progress], Given]
+"""Works on a snapshot; it calls the progress between its phases and lets pass what that raises."""
+
+Solve = Work[Project, Solution]
+"""Solves a snapshot."""
 
 Deliver = Callable[[Callable[[], None]], None]
 """Calls a function soon in the thread that owns the document.  It is called from other threads."""
@@ -41,13 +48,13 @@ class Failure:
 
 
 @dataclass(frozen=True, eq=False)
-class _Request:
-    project: Project
+class _Request(Generic[Asked]):
+    asked: Asked
     stopped: Event = field(default_factory=Event)
 
 
-class SolveJob:
-    """Solves one snapshot at a time outside the thread that owns the document.
+class Job(Generic[Asked, Given]):
+    """Works on one snapshot at a time outside the thread that owns the document.
 
     A newer request stops the older one and drops its result.  All signals are emitted in the thread to which
     ``deliver`` brings them.  NumPy and SciPy release the interpreter while they work, so one thread is enough for
@@ -55,44 +62,44 @@ class SolveJob:
 
     Parameters
     ----------
-    solve : the solver
+    work : what is done to a snapshot
     deliver : brings a call to the owner's thread; without it `request` waits for the end and emits all signals
         itself, which is what a program without an event loop wants
     """
 
     started = Signal(object)
-    """(Project)"""
+    """(what was asked for)"""
     progress = Signal(str, float)
     """(text, share from 0 to 1)"""
     finished = Signal(object, object)
-    """(Solution, Project it belongs to)"""
+    """(what came out, what was asked for)"""
     failed = Signal(object)
     """(Failure)"""
     cancelled = Signal()
 
-    def __init__(self, solve: Solve, deliver: Deliver | None = None) -> None:
-        self._solve = solve
+    def __init__(self, work: Work[Asked, Given], deliver: Deliver | None = None) -> None:
+        self._work = work
         self._inbox: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
         self._waits = deliver is None
         self._deliver: Deliver = deliver or self._inbox.put
         self._worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="solve")
-        self._current: _Request | None = None
-        self._future: Future[Solution] | None = None
+        self._current: _Request[Asked] | None = None
+        self._future: Future[Given] | None = None
 
     @property
     def running(self) -> bool:
         """Whether a result is still to come."""
         return self._current is not None
 
-    def request(self, project: Project) -> None:
-        """Solve a snapshot; an older request is stopped and heard of no more."""
+    def request(self, asked: Asked) -> None:
+        """Work on a snapshot; an older request is stopped and heard of no more."""
         self._stop()
-        request = _Request(project)
+        request = _Request(asked)
         self._current = request
-        self.started.emit(project)
+        self.started.emit(asked)
         if self._current is not request:
             return
-        self._future = self._worker.submit(self._solve, project, partial(self._report, request))
+        self._future = self._worker.submit(self._work, asked, partial(self._report, request))
         self._future.add_done_callback(partial(self._done, request))
         while self._waits and self._current is request:
             self._inbox.get()()
@@ -115,38 +122,42 @@ class SolveJob:
         if self._future is not None:
             self._future.cancel()
 
-    def _report(self, request: _Request, text: str, share: float) -> None:
+    def _report(self, request: _Request[Asked], text: str, share: float) -> None:
         """In the worker: pass progress on, or end a solve that nobody waits for."""
         if request.stopped.is_set():
             raise Cancelled
         self._deliver(partial(self._tell, request, text, share))
 
-    def _done(self, request: _Request, future: Future[Solution]) -> None:
+    def _done(self, request: _Request[Asked], future: Future[Given]) -> None:
         """In the worker: bring the outcome home, if anybody is there to hear it."""
         if request.stopped.is_set():
             _note_unheard(future)
         else:
             self._deliver(partial(self._settle, request, future))
 
-    def _tell(self, request: _Request, text: str, share: float) -> None:
+    def _tell(self, request: _Request[Asked], text: str, share: float) -> None:
         if request is self._current:
             self.progress.emit(text, share)
 
-    def _settle(self, request: _Request, future: Future[Solution]) -> None:
+    def _settle(self, request: _Request[Asked], future: Future[Given]) -> None:
         if request is not self._current:
             _note_unheard(future)
             return
         self._current = None
         error = future.exception()
         if error is None:
-            self.finished.emit(future.result(), request.project)
+            self.finished.emit(future.result(), request.asked)
         elif isinstance(error, Cancelled):
             self.cancelled.emit()
         else:
             self.failed.emit(_failure(error))
 
 
-def _note_unheard(future: Future[Solution]) -> None:
+SolveJob = Job[Project, Solution]
+"""Solves projects."""
+
+
+def _note_unheard(future: Future[Any]) -> None:
     """Log the failure of a solve that was stopped; that it was stopped is no failure."""
     error = None if future.cancelled() else future.exception()
     if error is not None and not isinstance(error, Cancelled):

@@ -9,7 +9,7 @@ from facemodel.cache import cached_solution, keep_solution
 from facemodel.face import Face
 from facemodel.project import Project
 from facemodel.solution import Progress, Solution, silent
-from facemodel.solver import FaceSolver
+from facemodel.solver import FaceSolver, Work
 
 
 class EditingSolve:
@@ -23,6 +23,11 @@ class EditingSolve:
     def __init__(self) -> None:
         self._solver = FaceSolver()
         self._opened: Face | None = None
+
+    @property
+    def work(self) -> Work:
+        """What the last solve of the living solver had to do."""
+        return self._solver.work
 
     def __call__(self, project: Project, progress: Progress = silent) -> Solution:
         """Solve a snapshot.

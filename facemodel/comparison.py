@@ -8,12 +8,17 @@ import numpy as np
 
 from facemodel.actions import ActionUnit, Expression, JawMotion, field_names
 from facemodel.basis import Basis
+from facemodel.displaced import MEMBRANE, displaced_columns, displaces
 from facemodel.fields import jaw_table
 from facemodel.loads import contractions
 from facemodel.muscles import Muscle
+from facemodel.muscles.models import muscle_action
 from facemodel.project import Project
-from facemodel.solution import Solution
+from facemodel.solution import Progress, silent
+from facemodel.solve import FaceSystem, face_system, sampled_basis
 from facemodel.superposition import Superposition
+from facemodel.system import face_supports
+from fem import SmoothInterpolation
 from fem.types import FloatArray
 
 WHOLE = 1
@@ -26,7 +31,7 @@ class Comparison:
 
     Attributes
     ----------
-    apart : (P,) distance of every drawn point of the skin, millimetres
+    apart : (S,) distance of every drawn point of the skin that moves, millimetres
     moved : largest displacement of the skin by the expression, millimetres
     """
 
@@ -59,21 +64,54 @@ def summed(project: Project, expression: Expression) -> Project:
     return replace(project, muscles=tuple(map(_alone, project.muscles)), units=(unit,), emotions=(), expression={})
 
 
-def compared(project: Project, expression: Expression, basis: Basis, whole: Solution) -> Comparison:
+def in_full(project: Project, expression: Expression, progress: Progress = silent) -> Basis:
+    """The solution of the summed loads of an expression, each solved for once and none superposed.
+
+    Returns
+    -------
+    basis : of one field, `WHOLE`
+
+    Raises
+    ------
+    FaceError, Cancelled
+        As `facemodel.solve.solve_project` does.
+    """
+    progress("Summing the loads", 0.05)
+    whole = summed(project, expression)
+    assembled = face_system(whole)
+    progress("Solving the summed loads", 0.3)
+    fields = assembled.system.solve(assembled.loads) + _displaced(whole, assembled)
+    progress("Sampling the smooth surface", 0.9)
+    return sampled_basis(whole, assembled, fields)
+
+
+def compared(project: Project, expression: Expression, basis: Basis, whole: Basis) -> Comparison:
     """Compare the superposed fields of a basis, as they are drawn, with the solution of the summed loads.
 
     Parameters
     ----------
-    whole : of `summed`, sampled on the same display surface
+    whole : as `in_full` gives it, sampled on the same display surface
     """
     superposed = Superposition(project.face, basis)
     superposed.pose(expression)
-    in_full = Superposition(project.face, whole.basis, glide=False)
-    in_full.pose({str(WHOLE): 1.0})
+    full = Superposition(project.face, whole, glide=False)
+    full.pose({str(WHOLE): 1.0})
     moving = basis.display.moving
-    apart = np.linalg.norm(superposed.points.astype(np.float64) - in_full.points, axis=1)
-    moved = np.linalg.norm(in_full.points[:moving] - basis.display.points[:moving], axis=1)
-    return Comparison(apart, float(moved.max(initial=0.0)))
+    apart = np.linalg.norm(superposed.points.astype(np.float64) - full.points, axis=1)
+    moved = np.linalg.norm(full.points[:moving] - basis.display.points[:moving], axis=1)
+    return Comparison(apart[:moving], float(moved.max(initial=0.0)))
+
+
+def _displaced(whole: Project, assembled: FaceSystem) -> FloatArray:
+    """Coefficients (n_dofs, 3, 1) of what muscles displace that know no forces."""
+    (unit,) = whole.units
+    pulling = [(muscle, unit.muscles[muscle.key]) for muscle in whole.muscles if unit.muscles.get(muscle.key)]
+    moves = [weight * muscle_action(muscle, whole.face) for muscle, weight in pulling if displaces(muscle)]
+    region = assembled.region
+    if not moves:
+        return np.zeros((len(region.dofs), 3, 1))
+    smooth = SmoothInterpolation(assembled.head.assembler, MEMBRANE)
+    return displaced_columns(np.sum(moves, axis=0)[None], smooth, region, face_supports(whole.face, region.vertices))
 
 
 def _alone(muscle: Muscle) -> Muscle:

@@ -20,7 +20,7 @@ def with_expression(project: Project, name: str, expression: Expression) -> Proj
     UnitError
         If the name cannot be one, or nothing moves in the expression.
     """
-    weights = {field: float(weight) for field, weight in expression.items() if weight}
+    weights = _told(project, expression)
     if not weights:
         raise UnitError("There is nothing to keep: every slider is at zero; move some first.")
     emotion = Emotion(_checked(name), weights)
@@ -60,6 +60,16 @@ def free_name(project: Project, wanted: str = "expression") -> str:
     taken = {each.name.lower() for each in project.emotions}
     names = (wanted, *(f"{wanted} {count}" for count in range(2, len(taken) + 3)))
     return next(name for name in names if name.lower() not in taken)
+
+
+def _told(project: Project, expression: Expression) -> dict[str, float]:
+    """Weights as a person tells them: both sides in one where they are alike, and nothing of what is zero."""
+    told: dict[str, float] = {}
+    for unit in project.units:
+        sides = {field: float(expression.get(field, 0.0)) for field in unit.fields}
+        alike = len(set(sides.values())) == 1
+        told.update({str(unit.number): sides[unit.fields[0]]} if alike else sides)
+    return {name: weight for name, weight in told.items() if weight}
 
 
 def _checked(name: str) -> str:

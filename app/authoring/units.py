@@ -29,8 +29,11 @@ WIDEST = 60.0
 FARTHEST = 30.0
 """Millimetres of slide; condyles slide 15."""
 
-LIKE_A_NUMBER = re.compile(r"(au)?[\s_-]*\d+[\s_-]*[lr]?", re.IGNORECASE)
+BY_NUMBER = re.compile(r"(au)?[\s_-]*\d+[\s_-]*[lr]?", re.IGNORECASE)
 """What names a unit by its number already."""
+
+ONE_SIDE = re.compile(r".*[\s_-][lr]", re.IGNORECASE)
+"""What names one side of a unit already."""
 
 
 def unit_of(project: Project, number: int) -> ActionUnit:
@@ -88,7 +91,7 @@ def renamed(project: Project, number: int, name: str) -> Project:
     unit = unit_of(project, number)
     made = with_unit(project, replace(unit, name=_checked_name(project, name, but=unit)))
     names = {each for emotion in project.emotions for each in emotion.weights}
-    by_name = {each for each in names if not LIKE_A_NUMBER.fullmatch(each.strip())}
+    by_name = {each for each in names if not BY_NUMBER.fullmatch(each.strip())}
     return spelled(made, {each: resolve(each, project.units) for each in by_name})
 
 
@@ -241,8 +244,10 @@ def _checked_number(project: Project, number: int) -> int:
 
 def _checked_name(project: Project, name: str, but: ActionUnit | None = None) -> str:
     plain = " ".join(name.split())
-    if not plain or len(plain) > LONGEST_NAME or LIKE_A_NUMBER.fullmatch(plain):
-        raise UnitError(f"An action unit needs a name of at most {LONGEST_NAME} letters; “{plain[:20]}” is none.")
+    if not plain or len(plain) > LONGEST_NAME:
+        raise UnitError(f"An action unit needs a name of at most {LONGEST_NAME} characters; type another one.")
+    if BY_NUMBER.fullmatch(plain) or ONE_SIDE.fullmatch(plain):
+        raise UnitError(f"“{plain}” reads like a number or a side; give the action unit a name in words.")
     for unit in project.units:
         if unit is not but and unit.name.lower() == plain.lower():
             raise UnitError(f"Action unit {unit.number} is called “{unit.name}” already; choose another name.")

@@ -74,4 +74,4 @@ def _arranged(
     items: tuple[Item, ...], name_of: Callable[[Item], str], put: Mapping[str, Item], order: Order | None
 ) -> tuple[Item, ...]:
     standing = {**{name_of(item): item for item in items}, **put}
-    return tuple(standing[name] for name in order or tuple(map(name_of, items)))
+    return tuple(standing[name] for name in (map(name_of, items) if order is None else order))

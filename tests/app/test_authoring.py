@@ -45,7 +45,7 @@ def test_a_copy_does_what_its_original_does_under_another_name(project: Project)
     assert units.unit_of(*units.with_duplicate(made, 12)).name == "lip corner puller copy 2"
 
 
-@pytest.mark.parametrize("name", ["", "  ", "Jaw Drop", "x" * 101, "AU 17", "4l"])
+@pytest.mark.parametrize("name", ["", "  ", "Jaw Drop", "x" * 101, "AU 17", "4l", "smile R"])
 def test_a_name_that_is_empty_long_or_taken_is_refused(project: Project, name: str) -> None:
     with pytest.raises(UnitError, match=r"name|called"):
         units.renamed(project, 12, name)
@@ -163,12 +163,13 @@ def test_a_note_and_a_group(project: Project) -> None:
 
 
 def test_the_sliders_are_kept_as_an_expression_and_shown_again(document: Document) -> None:
-    document.set_weights({"12L": 0.4, "17": 0.2})
+    document.set_weights({"12L": 0.4, "20": 0.3, "17": 0.2})
     document.edit(emotions.with_expression(document.project, "Half a smile", document.shown), "Save expression")
     document.reset_expression()
     document.apply_emotion("half a smile")
-    assert document.shown == {"12L": 0.4, "17": 0.2}
-    document.set_weights({"12L": 0.1})
+    assert document.shown == {"12L": 0.4, "17": 0.2, "20L": 0.3, "20R": 0.3}
+    assert dict(document.project.emotions[-1].weights) == {"12L": 0.4, "20": 0.3, "17": 0.2}
+    document.set_weights({"12L": 0.1, "20": 0.0})
     document.edit(emotions.with_expression(document.project, "half A smile", document.shown), "Save expression")
     assert [emotion.name for emotion in document.project.emotions] == ["happiness", "surprise", "Half a smile"]
     assert dict(document.project.emotions[-1].weights) == {"12L": 0.1, "17": 0.2}
