@@ -62,6 +62,7 @@ class Viewport(QWidget):
         self._coming: tuple[Face, Solution | None] | None = None
         self._pose_due = False
         self._posed: float | None = None
+        self._fresh = False
         self._reported_at = 0.0
         self._over: list[QWidget] = []
         self.frame_time = 0.0
@@ -100,6 +101,7 @@ class Viewport(QWidget):
         project, solution = self._document.project, self._solution
         self._shown, self._coming = (project.face, solution), None
         self.scene.show(project, solution)
+        self._fresh = True
         self._pose(self._document.shown)
 
     def glow(self, muscles: frozenset[str]) -> None:
@@ -212,7 +214,8 @@ class Viewport(QWidget):
 
     def _note_time(self, drawing: float) -> None:
         posing, self._posed = self._posed, None
-        if posing is None:
+        first, self._fresh = self._fresh, False
+        if posing is None or first:
             return
         self.frame_time = posing + drawing
         now = time.perf_counter()
