@@ -19,8 +19,8 @@ class Ghost(Enum):
     """Whether one can look through a surface."""
 
     SOLID = "fragOutput0 = vec4(seen, opacityUniform);"
-    VEIL = "fragOutput0 = vec4(seen, 0.22 + 0.70 * graze2 * graze);"
-    """Clear where it is seen straight on, dense towards its outline."""
+    VEIL = "fragOutput0 = vec4(seen, max(0.22 + 0.70 * graze2 * graze, 0.9 * COVER));"
+    """Clear where it is seen straight on, dense towards its outline and where it is painted."""
 
 
 @dataclass(frozen=True)
@@ -146,6 +146,7 @@ def apply(
         .replace("DETAIL", detail)
         .replace("SHEEN", f"{material.sheen:.4f}")
         .replace("OUTPUT", ghost.value)
+        .replace("COVER", "paintVSOutput.a" if painted else "0.0")
     )
     _replace(actor, _functions(material, painted), text)
     if painted:

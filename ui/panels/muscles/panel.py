@@ -16,6 +16,9 @@ from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ICON
 
 WIDTH = 43 * GRID
+HEIGHTS = 440, 330
+"""Pixels for tree and numbers at first, of a window of the usual size."""
+
 GLYPHS = {
     "muscle.duplicate": "content-duplicate",
     "muscle.mirror": "flip-horizontal",
@@ -149,8 +152,8 @@ class MusclesPanel(QWidget):
         parts.setChildrenCollapsible(False)
         parts.addWidget(upper)
         parts.addWidget(below)
-        parts.setStretchFactor(0, 3)
-        parts.setStretchFactor(1, 2)
+        parts.setStretchFactor(0, 1)
+        parts.setSizes(list(HEIGHTS))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(parts)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QLayout, QLineEdit, QVBoxLayout, QWidget
 
 from app.actions.context import Context
 from app.view_state import ViewState
@@ -238,6 +238,7 @@ class MuscleProperties(QWidget):
         form.addLayout(self._rows)
         form.addWidget(self.users)
         layout = QVBoxLayout(self)
+        layout.setSizeConstraint(QLayout.SizeConstraint.SetMinimumSize)
         layout.setContentsMargins(GRID, GRID, GRID, GRID)
         layout.addWidget(self._nothing)
         layout.addWidget(self._form)

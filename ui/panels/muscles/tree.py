@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -24,6 +24,7 @@ from facemodel.muscles import Muscle
 from ui.theme.apply import current_theme
 from ui.theme.colour import blend, contrast
 from ui.theme.metrics import GRID, RADIUS, ROW
+from ui.viewport.overlays.muscles import GROUPS as GROUPS_SEEN
 
 KEYS = Qt.ItemDataRole.UserRole + 1
 """Keys of the muscles that a cell stands for."""
@@ -34,6 +35,8 @@ GROUP = Qt.ItemDataRole.UserRole + 3
 
 NAME, LEFT, RIGHT = range(3)
 CHIP = 22
+SWATCH = 8
+"""Side of the colour that a group has on the face."""
 ROLES = {"L": "left", "R": "right", "M": "both"}
 SIDE_NAMES = {"L": "the subject’s left", "R": "the subject’s right", "M": "across the midline"}
 QUIET_TITLES = {group: group.capitalize() for group in GROUPS}
@@ -81,6 +84,12 @@ def _paint_name(painter: QPainter, option: QStyleOptionViewItem, index: Cell) ->
     theme = current_theme()
     area = QRectF(option.rect)
     heading = index.data(GROUP)
+    if heading in GROUPS_SEEN:
+        swatch = QRectF(area.x(), area.center().y() - SWATCH / 2, SWATCH, SWATCH)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor.fromRgbF(*GROUPS_SEEN[heading]))
+        painter.drawRoundedRect(swatch, 2, 2)
+        area.setLeft(swatch.right() + GRID // 2)
     if option.state & SELECTED:
         painter.fillRect(area, blend(theme.window, theme.accent, 0.32))
     elif option.state & HOVERED and not heading:
@@ -122,6 +131,9 @@ class MuscleTree(QTreeWidget):
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        bare = self.palette()
+        bare.setColor(QPalette.ColorRole.Highlight, QColor(0, 0, 0, 0))
+        self.setPalette(bare)
         self.header().setStretchLastSection(False)
         self.header().setMinimumSectionSize(CHIP)
         self.header().setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
@@ -177,6 +189,11 @@ class MuscleTree(QTreeWidget):
                         return row, column
         return None
 
+    def drawBranches(self, painter: QPainter, rect: QRect, index: Cell) -> None:
+        """The triangles of the headings, and nothing beside the names."""
+        if index.data(GROUP):
+            super().drawBranches(painter, rect, index)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Delete and F2 mean the muscles, the rest moves through the tree."""
         if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
@@ -208,7 +225,7 @@ class MuscleTree(QTreeWidget):
             row.setToolTip(NAME, f"{muscles[0].title} ({muscles[0].name})")
             for muscle in muscles:
                 column = RIGHT if muscle.side == "R" else LEFT
-                row.setText(column, "·" if muscle.side == "M" else muscle.side)
+                row.setText(column, "•" if muscle.side == "M" else muscle.side)
                 row.setData(column, KEYS, (muscle.key,))
                 row.setData(column, SIDE, muscle.side)
                 row.setToolTip(column, f"{muscle.title}, {SIDE_NAMES[muscle.side]}")
