@@ -39,6 +39,9 @@ QToolButton:pressed { background: $line; }
 QToolButton:checked { background: $chosen; }
 QToolButton:focus { border: 1px solid $accent; padding: 4px; }
 QToolButton[role="small"] { padding: 2px; }
+QToolButton[role="choice"] { background: $raised; padding: 4px 6px; }
+QToolButton[role="choice"]:hover { background: $hover; }
+QToolButton[role="choice"]:checked { background: $chosen; }
 QToolButton[role="small"]:focus { padding: 1px; }
 
 QStatusBar { background: $window; color: $muted; }

@@ -111,7 +111,7 @@ class Scene:
         self._ghost()
         self._paint()
         for name, overlay in self._overlays.items():
-            self._switch(overlay, getattr(self.state, name), rebuild=True)
+            self._switch(overlay, self._wanted(name), rebuild=True)
 
     def _become(self, figure: Figure) -> None:
         for actor in self.figure.actors if self.figure is not None else ():
@@ -130,7 +130,7 @@ class Scene:
         if any(getattr(before, name) is not getattr(project, name) for name in ("face", "muscles", "units")):
             self._paint()
             for name, overlay in self._overlays.items():
-                self._switch(overlay, getattr(self.state, name), rebuild=True)
+                self._switch(overlay, self._wanted(name), rebuild=True)
 
     def pose(self, expression: Expression) -> None:
         """Pose the face; one changed weight costs one scaled addition of a field. Draws nothing."""
@@ -153,7 +153,7 @@ class Scene:
             self._paint()
         for name, overlay in self._overlays.items():
             anew = name == "influence" and state.muscle != before.muscle
-            self._switch(overlay, getattr(state, name), rebuild=anew)
+            self._switch(overlay, self._wanted(name), rebuild=anew)
         self._follow()
 
     @property
@@ -164,6 +164,7 @@ class Scene:
     def repaint(self) -> None:
         """Lay on the skin anew whatever lies on it."""
         self._paint()
+        self._switch(self._overlays["influence"], self._wanted("influence"), rebuild=False)
 
     def glow(self, keys: frozenset[str]) -> None:
         """Make the skin glow where some muscles pull; an empty set ends it."""
@@ -255,6 +256,10 @@ class Scene:
         if colours is None and self.state.supports:
             colours = held_paint(self._drawn)
         self.figure.skin.paint(colours)
+
+    def _wanted(self, name: str) -> bool:
+        """Whether an overlay is asked for; under a coat there is no influence to have a legend."""
+        return bool(getattr(self.state, name)) and not (name == "influence" and self.coat is not None)
 
     def _switch(self, overlay: Overlay, on: bool, rebuild: bool) -> None:
         if self._drawn is None:

@@ -21,6 +21,10 @@ class FacePointer(QObject):
     -------
     pointed(object, QPoint) : the Muscle under the pointer, or None, and where the pointer is on the canvas
     clicked(object) : the Muscle that was clicked
+
+    Attributes
+    ----------
+    awake : whether it listens; a tool in hand has the pointer for itself
     """
 
     pointed = Signal(object, QPoint)
@@ -32,6 +36,7 @@ class FacePointer(QObject):
         self._scene = scene
         self._place = QPoint()
         self._pressed_at: QPointF | None = None
+        self.awake = True
         self._timer = QTimer(self, singleShot=True, interval=REST)
         self._timer.timeout.connect(lambda: self.pointed.emit(self.muscle_at(self._place), self._place))
         canvas.installEventFilter(self)
@@ -43,6 +48,8 @@ class FacePointer(QObject):
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Listen to the pointer; the camera hears the same events."""
+        if not self.awake:
+            return False
         if event.type() == QEvent.Type.Leave:
             self._quiet()
         elif isinstance(event, QMouseEvent):

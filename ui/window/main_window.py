@@ -15,7 +15,7 @@ from app.actions.table import all_actions
 from app.document import Document
 from app.settings import UserSettings
 from app.solving import Solving
-from app.tools.tool import Bench
+from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 from app.view import View
 from app.view_state import ViewState, Workspace
@@ -23,6 +23,7 @@ from facemodel.muscles import Muscle
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.face_information import FaceInformation
 from ui.panels.muscle_list import MuscleList, muscle_label
+from ui.viewport.tool_hands import ToolHands
 from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
 from ui.window.dock import Dock
@@ -36,7 +37,7 @@ from ui.window.solve_progress import SolveProgress
 from ui.window.status_line import StatusLine
 from ui.window.tool_strip import ToolStrip
 from ui.window.viewport_widget import Viewport
-from ui.workspaces.actions import tool_actions, workspace_actions
+from ui.workspaces.actions import brush_actions, tool_actions, workspace_actions
 from ui.workspaces.registry import WORKSPACES, all_tools
 from ui.workspaces.switching import WorkspacePanels
 from ui.workspaces.tabs import WorkspaceTabs
@@ -72,7 +73,7 @@ class MainWindow(QMainWindow):
         self.binding = ActionBinding(self, self.context, self._actions)
         self.viewport = Viewport(document, view, preparation, self)
         self.setCentralWidget(self.viewport)
-        self.panels = WorkspacePanels(Parts(self.context, bench, self.toolbox, self.viewport), WORKSPACES)
+        self.panels = WorkspacePanels(Parts(self.context, bench, self.toolbox, self.viewport, preparation), WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")
         self.muscles = MuscleList(document, view)
         self.docks = {
@@ -80,7 +81,8 @@ class MainWindow(QMainWindow):
             "muscles": Dock("muscles", "Muscles", self.muscles),
             "information": Dock("information", "Face information", FaceInformation(document)),
         }
-        self.strip = ToolStrip(self.binding)
+        self.hands = ToolHands(self.viewport.canvas, self.viewport.scene, self.toolbox)
+        self.strip = ToolStrip(self.binding, self.toolbox)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.strip)
         self.status = StatusLine(self)
         self.setStatusBar(self.status)
@@ -170,7 +172,11 @@ class MainWindow(QMainWindow):
         self.binding.table_changed.connect(self._refill_menus)
         self.palette_box.chosen.connect(self._run)
         self.panels.opened.connect(self._name_panel)
-        self.toolbox.tool_changed.connect(lambda _tool: self.binding.refresh())
+        self.toolbox.tool_changed.connect(self._take_tool)
+        self.toolbox.failed.connect(self.status.notify)
+        bench = self.toolbox.bench
+        bench.brush.changed.connect(lambda *_now: self.binding.refresh())
+        bench.sight.pointed_changed.connect(self.viewport.name_muscle)
         self.expression.folds_changed.connect(self._note_folds)
         self.expression.muscles_hovered.connect(self.viewport.glow)
         self.viewport.muscle_hovered.connect(self._name_muscle)
@@ -190,10 +196,22 @@ class MainWindow(QMainWindow):
         self.panels.show_workspace(self.context.view.state.workspace)
 
     def _actions(self, context: Context) -> tuple[Action, ...]:
-        return (*all_actions(context), *workspace_actions(WORKSPACES), *tool_actions(self.toolbox))
+        of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
+        return (*all_actions(context), *workspace_actions(WORKSPACES), *of_tools)
+
+    def _take_tool(self, tool: Tool) -> None:
+        """Show what is in hand; over the face of the expression workspace the pointer names muscles."""
+        posing = self.context.view.state.workspace == "expression"
+        self.hands.activate(not posing)
+        self.viewport.face_pointer.awake = posing
+        self.viewport.canvas.setCursor(Qt.CursorShape.ArrowCursor if posing else Qt.CursorShape.CrossCursor)
+        self.status.show_hint(IDLE_HINT if posing else tool.hint)
+        self.strip.offer_tools()
+        self.binding.refresh()
 
     def _name_panel(self, kind: WorkspaceKind) -> None:
         self.docks["workspace"].retitle(kind.title)
+        self._take_tool(self.toolbox.tool)
 
     def _fold(self, groups: frozenset[str]) -> None:
         self._folded = groups

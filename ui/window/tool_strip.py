@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QToolBar
 
+from app.tools.toolbox import ToolBox
 from ui.theme.metrics import ICON
 from ui.window.action_binding import ActionBinding
 
@@ -21,19 +22,28 @@ STRIP = (
 class ToolStrip(QToolBar):
     """Icons only; their tooltips name title, keys and what happens."""
 
-    def __init__(self, binding: ActionBinding) -> None:
+    def __init__(self, binding: ActionBinding, toolbox: ToolBox) -> None:
         super().__init__("Tools")
         self.setObjectName("tools")
         self.setOrientation(Qt.Orientation.Vertical)
         self.setMovable(False)
         self.setIconSize(QSize(ICON, ICON))
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        for place, group in enumerate(STRIP):
+        self._binding, self._toolbox = binding, toolbox
+        tools = tuple(f"tool.{tool.id}" for tool in toolbox.tools)
+        for place, group in enumerate((tools, *STRIP)):
             if place:
                 self.addSeparator()
             for key in group:
                 self.addAction(binding.qt[key])
-        for key in (key for group in STRIP for key in group):
+        for key in (key for group in (tools, *STRIP) for key in group):
             button = self.widgetForAction(binding.qt[key])
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.setAccessibleName(binding.qt[key].text())
+        self.offer_tools()
+
+    def offer_tools(self) -> None:
+        """Show the tools of the workspace, and those of no other."""
+        offered = self._toolbox.offered(self._toolbox.bench.view.state.workspace)
+        for tool in self._toolbox.tools:
+            self._binding.qt[f"tool.{tool.id}"].setVisible(tool in offered)

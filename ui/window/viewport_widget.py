@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PIL import Image
 from PySide6.QtCore import QEvent, QPoint, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QResizeEvent
+from PySide6.QtGui import QCloseEvent, QCursor, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.differences import same_head
@@ -140,13 +140,14 @@ class Viewport(QWidget):
         card.setParent(self)
         card.show()
         card.raise_()
-        self._place_cards()
+        self.place_cards()
 
     def take_off(self, card: QWidget) -> None:
         """Remove a card for good."""
         self._over.remove(card)
         card.hide()
         card.deleteLater()
+        self.place_cards()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Wait for nobody any more, and let VTK free what it has on the graphics card."""
@@ -158,7 +159,7 @@ class Viewport(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the cards in their corner."""
         super().resizeEvent(event)
-        self._place_cards()
+        self.place_cards()
 
     def changeEvent(self, event: QEvent) -> None:
         """Hang the backdrop of another theme."""
@@ -248,14 +249,23 @@ class Viewport(QWidget):
         self._view.change(view="free")
         self.canvas.ask_frame()
 
+    def name_muscle(self, key: str) -> None:
+        """Name a muscle, by key, beside the pointer; an empty key ends it."""
+        muscle = next((each for each in self._document.project.muscles if each.key == key), None)
+        self._name(muscle, self.canvas.mapFromGlobal(QCursor.pos()))
+
     def _name(self, muscle: Muscle | None, place: QPoint) -> None:
         self.pointer.say("" if muscle is None else muscle_label(muscle), place)
         self.muscle_hovered.emit(muscle)
 
-    def _place_cards(self) -> None:
+    def place_cards(self) -> None:
+        """Stack the cards that are shown in the lower left corner, the first one at the bottom."""
+        floor = self.height() - 2 * GRID
         for card in self._over:
-            card.adjustSize()
-            card.move(2 * GRID, self.height() - card.height() - 2 * GRID)
+            if not card.isHidden():
+                card.adjustSize()
+                card.move(2 * GRID, floor - card.height())
+                floor -= card.height() + GRID
 
 
 def _ready(project: Project, solution: Solution | None) -> None:

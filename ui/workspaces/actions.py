@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 from app.actions.action import Action
 from app.actions.context import Context
+from app.tools.brush_state import HandBrush
 from app.tools.tool import Tool
 from app.tools.toolbox import ToolBox
+from ui.viewport.tool_hands import PAINTING
 from ui.workspaces.workspace import WorkspaceKind
+
+SHIFTED: Mapping[str, tuple[str, ...]] = {"Shift+]": ("Shift+}",), "Shift+[": ("Shift+{",)}
+"""What some keyboards say where they are asked for a bracket with Shift."""
 
 
 def workspace_actions(kinds: tuple[WorkspaceKind, ...]) -> tuple[Action, ...]:
@@ -19,6 +26,48 @@ def workspace_actions(kinds: tuple[WorkspaceKind, ...]) -> tuple[Action, ...]:
 def tool_actions(toolbox: ToolBox) -> tuple[Action, ...]:
     """One action for each tool, possible where the workspace offers it."""
     return tuple(_take(tool, toolbox) for tool in toolbox.tools)
+
+
+def brush_actions(toolbox: ToolBox) -> tuple[Action, ...]:
+    """Size, strength and mirror of the brush, possible while a tool paints."""
+    brush = toolbox.bench.brush
+    entries: tuple[tuple[str, str, str, str, Callable[[HandBrush], None]], ...] = (
+        ("larger", "Larger brush", "]", "Make the brush larger", lambda hand: hand.resize(1)),
+        ("smaller", "Smaller brush", "[", "Make the brush smaller", lambda hand: hand.resize(-1)),
+        ("stronger", "Stronger brush", "Shift+]", "Make the brush stronger", lambda hand: hand.strengthen(1)),
+        ("weaker", "Weaker brush", "Shift+[", "Make the brush weaker", lambda hand: hand.strengthen(-1)),
+    )
+    made = (
+        Action(
+            f"brush.{key}",
+            title,
+            lambda _context, act=act: act(brush),  # type: ignore[misc]
+            menu=("Edit", "Brush"),
+            group=4,
+            shortcut=keys,
+            also=SHIFTED.get(keys, ()),
+            hint=hint,
+            enabled=lambda _context: toolbox.tool.id in PAINTING,
+        )
+        for key, title, keys, hint, act in entries
+    )
+    return (*made, _mirror(toolbox))
+
+
+def _mirror(toolbox: ToolBox) -> Action:
+    brush = toolbox.bench.brush
+    return Action(
+        "brush.mirror",
+        "Mirror",
+        lambda _context: brush.change(mirror=not brush.state.mirror),
+        menu=("Edit", "Brush"),
+        group=5,
+        shortcut="X",
+        hint="Paint both sides of the face alike",
+        kind="toggle",
+        enabled=lambda context: context.view.state.workspace == "tissue",
+        checked=lambda _context: brush.state.mirror,
+    )
 
 
 def _open(kind: WorkspaceKind) -> Action:

@@ -51,7 +51,12 @@ class WorkspacePanels(QStackedWidget):
             for drawing in self._drawings_of(self._open):
                 drawing.switch(False)
         self._open = self._kinds[workspace]
+        first = workspace not in self._panels
         panel = self.panel(workspace)
+        if first and self._open.tools:
+            self._parts.toolbox.take(self._open.tools[0].id)
+        if self._open.prepare is not None:
+            self._open.prepare(self._parts)
         for other in self._panels.values():
             # A hidden page must not keep the dock wide for the one that is shown.
             asked = QSizePolicy.Policy.Preferred if other is panel else QSizePolicy.Policy.Ignored

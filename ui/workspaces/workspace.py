@@ -12,6 +12,7 @@ from app.actions.context import Context
 from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 from app.view_state import WORKSPACE_TITLES, Workspace
+from ui.window.preparation import Preparation
 from ui.window.viewport_widget import Viewport
 
 
@@ -25,12 +26,14 @@ class Parts:
     bench : the brush, regions, and what tools have drawn
     toolbox : the tools; one of them is in hand
     viewport : where the face is
+    preparation : does what takes a while away from the window's thread
     """
 
     context: Context
     bench: Bench
     toolbox: ToolBox
     viewport: Viewport
+    preparation: Preparation
 
 
 class Drawing(Protocol):
@@ -50,12 +53,14 @@ class WorkspaceKind:
     panel : makes what stands at the right, once, when it is first opened
     tools : kinds of tools that it brings; one that several workspaces bring is made once
     drawings : make what is drawn over the face while it is open
+    prepare : begins what will be wanted soon, whenever it is opened
     """
 
     id: Workspace
     panel: Callable[[Parts], QWidget]
     tools: tuple[type[Tool], ...] = ()
     drawings: tuple[Callable[[Parts], Drawing], ...] = ()
+    prepare: Callable[[Parts], None] | None = None
 
     @property
     def title(self) -> str:
