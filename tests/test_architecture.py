@@ -17,6 +17,10 @@ SCREEN = {"PySide6", "shiboken6", "qtpy", "superqt", "qtawesome", "vtk", "vtkmod
 UNSAFE_MODULES = {"pickle", "cPickle", "marshal", "shelve", "dill", "joblib"}
 UNSAFE_CALLS = {"eval", "exec", "compile", "__import__"}
 
+# The console runs what its user types, and nothing else: no other module may run text as code, and none reads it.
+INTERPRETERS = {"code", "codeop", "runpy"}
+CONSOLE = "app/scripting/console.py"
+
 # A file holds one idea and a function fits on a screen.
 LONGEST_FILE = 300
 LONGEST_FUNCTION = 40
@@ -95,6 +99,29 @@ def test_no_source_can_run_what_it_reads() -> None:
         if runs_what_it_reads(node)
     ]
     assert found == []
+
+
+def imported_by(node: ast.AST) -> set[str]:
+    """Return the names of the modules that a statement imports."""
+    match node:
+        case ast.Import(names=names):
+            return {alias.name for alias in names}
+        case ast.ImportFrom(module=str(module)):
+            return {module}
+    return set()
+
+
+def test_only_the_console_runs_text_and_it_reads_no_file() -> None:
+    importing = {
+        name
+        for name, _, tree in syntax_trees(*PACKAGES)
+        for node in ast.walk(tree)
+        if not INTERPRETERS.isdisjoint(imported_by(node))
+    }
+    assert importing == {CONSOLE}
+    tree = ast.parse((ROOT / CONSOLE).read_text("utf-8"))
+    called = {ast.unparse(node.func).split(".")[-1] for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    assert called.isdisjoint({"open", "read_text", "read_bytes", "read_file"})
 
 
 def lines_of_code(function: ast.FunctionDef | ast.AsyncFunctionDef) -> int:

@@ -19,6 +19,7 @@ from facemodel.io.export import export_of, export_project
 from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
 from facemodel.projects import new_project
+from facemodel.sculpted import sculpted_solution
 from facemodel.solve import Solution, solve_project
 
 
@@ -68,7 +69,7 @@ def render(asked: Namespace, screen: Screen) -> int:
     _check_picture(asked.out)
     project = load_project(asked.project)
     expression = asked_expression(project, asked.emotion, asked.au)
-    solution = _solved(project)
+    solution = _solved(project, asked.basis)
     screen.render(project, solution, expression, asked.out, asked.view, asked.size, asked.show)
     print(f"Wrote {asked.out}")
     return 0
@@ -80,7 +81,7 @@ def export(asked: Namespace) -> int:
     checked_target(asked.out)
     project = load_project(asked.project)
     posed = project.posed(asked_expression(project, asked.emotion, asked.au))
-    export_project(posed, _solved(project), asked.out)
+    export_project(posed, _solved(project, asked.basis), asked.out)
     print(f"Wrote {asked.out}: {export_of(asked.out).holds}")
     return 0
 
@@ -89,7 +90,7 @@ def gallery(asked: Namespace, screen: Screen) -> int:
     """Draw the sheet."""
     _check_picture(asked.out)
     project = load_project(asked.project)
-    screen.gallery(project, _solved(project), asked.out)
+    screen.gallery(project, _solved(project, asked.basis), asked.out)
     print(f"Wrote {asked.out}")
     return 0
 
@@ -106,9 +107,10 @@ def _check_picture(out: Path) -> None:
     checked_target(out)
 
 
-def _solved(project: Project) -> Solution:
+def _solved(project: Project, basis: str) -> Solution:
     line = ProgressLine(sys.stderr)
     try:
-        return solve_cached(project, line)
+        solution = solve_cached(project, line)
     finally:
         line.clear()
+    return sculpted_solution(project, solution) if basis == "sculpted" else solution

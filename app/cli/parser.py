@@ -121,10 +121,20 @@ def _expression(made: ArgumentParser) -> None:
     )
 
 
+def _basis(made: ArgumentParser) -> None:
+    made.add_argument(
+        "--basis",
+        choices=("solved", "sculpted"),
+        default="solved",
+        help="displacement fields solved with finite elements, or sculpted by hand for the default face (solved)",
+    )
+
+
 def _render(made: ArgumentParser) -> None:
     _project(made)
     made.add_argument("out", metavar="OUT.png", type=Path, help="the picture to write")
     _expression(made)
+    _basis(made)
     made.add_argument("--view", choices=tuple(VIEW_TITLES), default="front", help="where to look from (front)")
     made.add_argument("--size", metavar="WIDTHxHEIGHT", type=size, default=(1280, 960), help="in pixels (1280x960)")
     made.add_argument(
@@ -140,11 +150,13 @@ def _export(made: ArgumentParser) -> None:
     _project(made)
     made.add_argument("out", metavar="OUT", type=Path, help="the file to write: .glb, .npz, .obj or .ply")
     _expression(made)
+    _basis(made)
 
 
 def _gallery(made: ArgumentParser) -> None:
     _project(made)
     made.add_argument("out", metavar="OUT.png", type=Path, help="the picture to write")
+    _basis(made)
 
 
 def _edit(made: ArgumentParser) -> None:
@@ -175,7 +187,12 @@ COMMANDS = (
         ("smile.risorius smile.glb", "smile.risorius fields.npz", "smile.risorius fear.obj --emotion fear=1"),
         FORMATS + WEIGHTS,
     ),
-    Command("gallery", "draw all action units and emotions on one sheet", _gallery, ("smile.risorius sheet.png",)),
+    Command(
+        "gallery",
+        "draw all action units and emotions on one sheet",
+        _gallery,
+        ("smile.risorius sheet.png", "smile.risorius by-hand.png --basis sculpted"),
+    ),
     Command("edit", "open the editor", _edit, ("", "smile.risorius")),
 )
 """Everything that the command line can do."""

@@ -1,0 +1,57 @@
+"""What a script works on: a document of its own, which becomes one step of the real one when all went well."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.document import Document
+from app.tools.ground import Ground
+from facemodel.errors import FaceError
+from facemodel.project import Project
+from facemodel.solution import Solution
+
+
+class ScriptDesk:
+    """Lends the state of a document to one run of a script after the other.
+
+    Parameters
+    ----------
+    document : the real one
+    """
+
+    def __init__(self, document: Document) -> None:
+        self._real = document
+        self.document = Document(document.project, document.path)
+        self.ground = Ground()
+
+    @property
+    def project(self) -> Project:
+        """What the script has made so far."""
+        return self.document.project
+
+    def begin(self) -> None:
+        """Start from what the real document is now."""
+        self._real.commit()
+        self.document = Document(self._real.project, self._real.path)
+
+    def keep(self, label: str) -> None:
+        """Make what was done one step of the real document; nothing if nothing was done."""
+        self.document.commit()
+        if self.document.project is not self._real.project:
+            self._real.edit(self.document.project, label)
+
+    def edit(self, change: Callable[[Project], Project], label: str) -> None:
+        """Change the project by a pure function, as one step that the script itself may undo."""
+        self.document.edit(change(self.document.project), label)
+
+    def solution(self) -> Solution:
+        """The solution of the real document.
+
+        Raises
+        ------
+        FaceError
+            If there is none that holds for what it is.
+        """
+        if self._real.solution is None or self._real.stale:
+            raise FaceError("The face is not solved as it is now; wait for the solver, then ask again.")
+        return self._real.solution

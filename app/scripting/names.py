@@ -1,0 +1,134 @@
+"""The names that a script finds: a few functions and handles over the open document."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from app.authoring import emotions, units
+from app.authoring.facs_table import filled_from_facs
+from app.expression_text import format_expression, parse_expression
+from app.scripting.desk import ScriptDesk
+from app.scripting.muscle_handle import MuscleHandle
+from app.scripting.painting import Painter, Where
+from app.scripting.unit_handle import UnitHandle
+from facemodel.actions import find_emotion, resolve
+from facemodel.face import Face
+from facemodel.laying import collection
+from facemodel.laying.clipboard import muscles_from, muscles_text
+from facemodel.laying.fibres import laid_fibre
+from fem.types import Float32Array
+
+
+class Names:
+    """What can be called in a script.  All of it goes through the commands that the mouse uses, and can be undone.
+
+    Parameters
+    ----------
+    desk : what the script works on
+    """
+
+    def __init__(self, desk: ScriptDesk) -> None:
+        self._desk = desk
+        self._painter = Painter(desk)
+
+    def namespace(self) -> dict[str, Any]:
+        """All of it by name."""
+        own = {name: getattr(self, name) for name in dir(type(self)) if not name.startswith("_")}
+        own.pop("namespace")
+        painting = {name: getattr(self._painter, name) for name in ("paint", "values", "set_values", "layers", "place")}
+        return {**own, **painting, "np": np}
+
+    def face(self) -> Face:
+        """The face as it is now, a frozen value."""
+        return self._desk.project.face
+
+    def au(self, name: int | str) -> UnitHandle:
+        """An action unit, by number or name."""
+        (field, *_) = resolve(str(name), self._desk.project.units)
+        number = next(unit.number for unit in self._desk.project.units if field in unit.fields)
+        return UnitHandle(self._desk, number)
+
+    def new_au(self, name: str = "", number: int | None = None) -> UnitHandle:
+        """A new action unit, in which nothing moves yet."""
+        project, made = units.with_new_unit(self._desk.project, name, number=number)
+        self._desk.edit(lambda _: project, f"New action unit {made}")
+        return UnitHandle(self._desk, made)
+
+    def units(self) -> tuple[UnitHandle, ...]:
+        """All action units, in order."""
+        return tuple(UnitHandle(self._desk, unit.number) for unit in self._desk.project.units)
+
+    def muscle(self, key: str) -> MuscleHandle:
+        """A muscle, by name and side such as ``risorius_L``."""
+        return MuscleHandle(self._desk, collection.muscle_of(self._desk.project, key).key)
+
+    def muscles(self) -> tuple[MuscleHandle, ...]:
+        """All muscles, in order."""
+        return tuple(MuscleHandle(self._desk, muscle.key) for muscle in self._desk.project.muscles)
+
+    def new_muscle(self, title: str, origin: Where, attachment: Where, group: str = "cheek") -> MuscleHandle:
+        """A new muscle of one fibre, from the bone nearest to a place to the vertex of the skin nearest to another."""
+        fibre = laid_fibre(self.face(), self._painter.place(origin), self._painter.place(attachment))
+        made = collection.new_muscle(self._desk.project, title, group, fibres=(fibre,))
+        self._desk.edit(lambda project: collection.with_muscle(project, made), f"Lay {made.title}")
+        return MuscleHandle(self._desk, made.key)
+
+    def copy_muscles(self, *keys: str) -> str:
+        """Muscles as text for another project; all of them without keys."""
+        chosen = [collection.muscle_of(self._desk.project, key) for key in keys] or self._desk.project.muscles
+        return muscles_text(chosen, self.face())
+
+    def paste_muscles(self, text: str) -> tuple[MuscleHandle, ...]:
+        """Muscles from a text, fitted to this head."""
+        project, keys = collection.added(self._desk.project, muscles_from(text, self.face()))
+        self._desk.edit(lambda _: project, "Paste muscles")
+        return tuple(MuscleHandle(self._desk, key) for key in keys)
+
+    def expression(self) -> str:
+        """What is shown, as text such as ``12L=0.8 12R=0.8``."""
+        return format_expression(self._desk.document.shown, self._desk.project.units)
+
+    def show(self, weights: str | Mapping[str, float]) -> None:
+        """Show an expression and nothing else: a text, or weights by any name."""
+        given = parse_expression(weights, self._desk.project.units) if isinstance(weights, str) else weights
+        self._desk.document.set_expression(given, "Show expression")
+
+    def emotion(self, name: str, strength: float = 1.0) -> None:
+        """Show a named expression and nothing else."""
+        find_emotion(name, self._desk.project.emotions)
+        self._desk.document.apply_emotion(name, strength)
+
+    def neutral(self) -> None:
+        """Set every slider to zero."""
+        self._desk.document.reset_expression()
+
+    def save_expression(self, name: str) -> None:
+        """Keep what is shown under a name."""
+        shown = self._desk.document.shown
+        self._desk.edit(lambda project: emotions.with_expression(project, name, shown), f"Save expression {name}")
+
+    def delete_expression(self, name: str) -> None:
+        """Take a named expression out of the project."""
+        self._desk.edit(lambda project: emotions.without(project, [name]), f"Delete expression {name}")
+
+    def fill_from_facs(self) -> dict[int, tuple[str, ...]]:
+        """Fill all action units from the table; returns the muscles that it names and the face does not have."""
+        filling = filled_from_facs(self._desk.project)
+        self._desk.edit(lambda _: filling.project, "Fill from FACS")
+        return dict(filling.missing)
+
+    def field(self, name: str) -> Float32Array:
+        """Displacement (P, 3) of every drawn point by one field, such as ``12L``, at weight 1; millimetres."""
+        (own,) = resolve(name, self._desk.project.units)
+        return self._desk.solution().basis.field(own)
+
+    def undo(self) -> None:
+        """Take back the last step of this script."""
+        self._desk.document.undo()
+
+    def redo(self) -> None:
+        """Do the step again that was taken back."""
+        self._desk.document.redo()

@@ -1,0 +1,122 @@
+"""Action units in scripts: ``au(12).weight = 0.8``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from app.authoring import units
+from app.scripting.desk import ScriptDesk
+from facemodel.actions import ActionUnit, JawMotion
+from facemodel.project import Project
+
+
+class UnitHandle:
+    """An action unit of the project, by its number.
+
+    Parameters
+    ----------
+    desk : what the script works on
+    number : of the unit
+    """
+
+    def __init__(self, desk: ScriptDesk, number: int) -> None:
+        self._desk, self._number = desk, number
+
+    def __repr__(self) -> str:
+        unit = self._unit
+        return f"au({unit.number}): {unit.name}, {', '.join(unit.fields)}"
+
+    @property
+    def _unit(self) -> ActionUnit:
+        return units.unit_of(self._desk.project, self._number)
+
+    @property
+    def number(self) -> int:
+        """Its number."""
+        return self._number
+
+    @number.setter
+    def number(self, number: int) -> None:
+        self._do(lambda project: units.renumbered(project, self._number, number), "Renumber")
+        self._number = number
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return self._unit.name
+
+    @name.setter
+    def name(self, name: str) -> None:
+        self._do(lambda project: units.renamed(project, self._number, name), "Rename")
+
+    @property
+    def note(self) -> str:
+        """A line for people."""
+        return self._unit.note
+
+    @note.setter
+    def note(self, note: str) -> None:
+        self._do(lambda project: units.with_note(project, self._number, note), "Note of")
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """Names of its sliders."""
+        return self._unit.fields
+
+    @property
+    def weight(self) -> float:
+        """Where its slider stands; of two sides the larger one."""
+        return max(self._desk.project.expression.get(field, 0.0) for field in self.fields)
+
+    @weight.setter
+    def weight(self, weight: float) -> None:
+        self._desk.document.set_weights(dict.fromkeys(self.fields, weight))
+
+    @property
+    def muscles(self) -> dict[str, float]:
+        """Activation of each muscle at weight 1, by its name without side; a copy, see `contract`."""
+        return dict(self._unit.muscles)
+
+    def contract(self, muscle: str, activation: float) -> None:
+        """Contract a muscle, by its name without side, more or less; 0 takes it out."""
+        self._do(lambda project: units.with_activation(project, self._number, muscle, activation), "Change")
+
+    @property
+    def jaw(self) -> JawMotion | None:
+        """What it does to the jaw, see `move_jaw`."""
+        return self._unit.jaw
+
+    def move_jaw(self, degrees: float, slide: float = 0.0) -> None:
+        """Open the jaw by degrees and slide it forward by millimetres at weight 1."""
+        self._do(lambda project: units.with_jaw(project, self._number, degrees, slide), "Change")
+
+    def duplicate(self) -> UnitHandle:
+        """A copy of it, behind it in the list."""
+        project, number = units.with_duplicate(self._desk.project, self._number)
+        self._do(lambda _: project, "Duplicate")
+        return UnitHandle(self._desk, number)
+
+    def split(self) -> None:
+        """Give left and right a slider each."""
+        self._do(partial(units.split, number=self._number), "Split")
+
+    def join(self) -> None:
+        """Give left and right one slider."""
+        self._do(partial(units.joined, number=self._number), "Join")
+
+    def merge(self, other: UnitHandle | int) -> None:
+        """Do what another unit does, too, in its place."""
+        number = other if isinstance(other, int) else other.number
+        self._do(partial(units.merged, number=self._number, other=number), "Merge")
+
+    def move(self, place: int) -> None:
+        """Put it at another place of the list, counted from 0."""
+        self._do(partial(units.moved_unit, number=self._number, place=place), "Move")
+
+    def delete(self) -> None:
+        """Take it out of the project, and out of every expression."""
+        self._do(partial(units.without_units, numbers=[self._number]), "Delete")
+
+    def _do(self, change: Callable[[Project], Project], verb: str) -> None:
+        self._desk.edit(change, f"{verb} {self._unit.name}")
