@@ -20,7 +20,7 @@ from facemodel.errors import UnknownNameError
 from facemodel.faces import face_keys
 from facemodel.io.export import EXPORTS
 from facemodel.io.project_file import load_project, project_bytes, save_project
-from facemodel.project import Project
+from facemodel.project import Project, Settings
 from facemodel.projects import new_project
 from facemodel.solve import Solution
 from facemodel.superposition import Superposition
@@ -187,6 +187,30 @@ def test_render_without_weights_shows_what_was_saved(smile: Path, tmp_path: Path
 def test_gallery_hands_over_the_solution(smile: Path, tmp_path: Path, paper: Paper) -> None:
     assert main(["gallery", str(smile), str(tmp_path / "sheet.png")], paper.screen) == 0
     assert paper.asked == [{"fields": ("12L", "12R", "18", "26"), "path": tmp_path / "sheet.png"}]
+
+
+def test_the_basis_sculpted_by_hand_can_be_asked_for(tmp_path: Path) -> None:
+    path = tmp_path / "ada.risorius"
+    coarse = dataclasses.replace(new_project(), settings=Settings(element="hct9", density=1))
+    save_project(coarse, path)
+    origins: list[str] = []
+    screen = Screen(
+        lambda _project, solution, *_: origins.append(solution.basis.origin),
+        lambda _project, solution, _path: origins.append(solution.basis.origin),
+        lambda _path: 0,
+    )
+    assert main(["gallery", str(path), str(tmp_path / "sheet.png"), "--basis", "sculpted"], screen) == 0
+    assert main(["render", str(path), str(tmp_path / "face.png"), "--basis", "sculpted"], screen) == 0
+    assert main(["render", str(path), str(tmp_path / "face.png")], screen) == 0
+    assert origins == ["sculpted", "sculpted", "solved"]
+
+
+def test_a_face_without_sculpted_units_says_so(
+    smile: Path, tmp_path: Path, paper: Paper, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["gallery", str(smile), str(tmp_path / "sheet.png"), "--basis", "sculpted"], paper.screen) == 1
+    assert "No sculpted units ship" in capsys.readouterr().err
+    assert paper.asked == []
 
 
 def test_edit_opens_what_is_named(smile: Path, paper: Paper) -> None:
