@@ -10,6 +10,7 @@ import numpy as np
 from facemodel.face import Face
 from facemodel.mesh import Mesh
 from fem.types import FloatArray, IntArray
+from ui.viewport.lids import lid_line
 
 Colour = tuple[float, float, float]
 
@@ -68,6 +69,9 @@ DEEP = Palette(
     hair=(0.350, 0.310, 0.280),
     iris=(0.235, 0.145, 0.075),
 )
+LASH_REACH = 2.0
+"""Millimetres around the edge of a lid that the roots of its lashes darken."""
+
 PALETTES: Mapping[str, Palette] = {"ada": FAIR, "ben": TANNED, "chen": LIGHT_OLIVE, "dayo": DEEP}
 """By the key of a face; any other face is fair."""
 
@@ -178,6 +182,20 @@ def _lid_distance(face: Face) -> FloatArray:
     return np.asarray(np.linalg.norm(position[:, None] - position[margin][None], axis=2).min(axis=1))
 
 
+def _lash_line(face: Face) -> FloatArray:
+    """How dark the roots of the lashes make each vertex (N,), the upper ones more than the lower ones."""
+    position = face.skin.positions
+    dark = np.zeros(len(position))
+    for eye in face.eyes:
+        edge = lid_line(position, face.skin.triangles, eye).places(position)
+        if len(edge):
+            distance = np.linalg.norm(position[:, None] - edge[None], axis=2)
+            level = (edge[edge[:, 0].argmin(), 1] + edge[edge[:, 0].argmax(), 1]) / 2
+            upper = edge[distance.argmin(axis=1), 1] > level
+            dark = np.maximum(dark, np.where(upper, 0.85, 0.40) * smooth(distance.min(axis=1), LASH_REACH, 0.3))
+    return dark
+
+
 def complexion(face: Face) -> Complexion:
     """Colours and gloss of every skin vertex, read off landmarks and openings."""
     palette = palette_of(face)
@@ -201,7 +219,7 @@ def complexion(face: Face) -> Complexion:
     lay(palette.flush, 0.55 * ears)
     lay(palette.flush, 0.18 * chin)
     lay(palette.lids, 0.55 * smooth(lids, 11.0, 2.0))
-    lay(palette.lash_line, 0.75 * smooth(lids, 2.2, 0.3))
+    lay(palette.lash_line, _lash_line(face))
     lay(palette.lips, 0.92 * lips)
 
     shine = 1.0 + 0.5 * nose - 0.25 * cheeks + 0.5 * lips

@@ -38,7 +38,10 @@ class Figure:
         self._look = look_of(face)
         cut = neck_cut(display)
         self.skin = Skin(posed, self._look, cut)
-        self.eyes = tuple(EyeInLids(eye, lid_line(display, eye), self._look.palette.iris) for eye in face.eyes)
+        self.eyes = tuple(
+            EyeInLids(eye, lid_line(display.points, display.triangles, eye), self._look.palette.iris)
+            for eye in face.eyes
+        )
         self.lashes: list[Lashes] = []
         self._carried: list[Surface] = []
         self._jaw: list[Surface] = []
@@ -51,9 +54,14 @@ class Figure:
         self._seam = seam(self.skin.surface, display, self._look.palette) if self._carried else None
         self.follow()
 
-    def ghost(self, ghost: Ghost) -> None:
-        """Make the skin solid, or clear; what would hide the bones behind a clear skin goes away with it."""
+    def ghost(self, ghost: Ghost, bones: bool = False) -> None:
+        """Make the skin solid, or clear; what would hide the bones behind a clear skin goes away with it.
+
+        ``bones`` says that a skull is drawn, which has teeth of its own.
+        """
         self.skin.ghost(ghost)
+        for surface in (*self._still, *self._jaw):
+            surface.actor.SetVisibility(not bones)
         hiding = [surface.actor for surface in (*self._carried, *self._caps)]
         for actor in (*hiding, self._seam) if self._seam else hiding:
             actor.SetVisibility(ghost is Ghost.SOLID)
@@ -102,7 +110,8 @@ class Figure:
     def _plant(self, part: Part) -> None:
         """Grow lashes on the lids of the eye that a part of lashes lies on."""
         side = "L" if part.mesh.positions[:, 0].mean() > 0 else "R"
+        display = self.posed.basis.display
         eye = next(eye for eye in self.posed.face.eyes if eye.side == side)
-        roots = lid_line(self.posed.basis.display, eye)
+        roots = lid_line(display.points, display.triangles, eye)
         if roots.closed:
             self.lashes.append(Lashes(eye, roots, self.posed.points, self._look.palette.hair))

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import igl
 import numpy as np
 
-from facemodel.display import DisplaySurface
 from facemodel.face import Eye
 from fem.types import Float32Array, FloatArray, IntArray
 
@@ -38,32 +37,32 @@ class LidLine:
         """Whether there are lids at all; a scan without openings has none."""
         return len(self.start) > 0
 
-    def places(self, points: Float32Array) -> FloatArray:
+    def places(self, points: Float32Array | FloatArray) -> FloatArray:
         """The line (n, 3) on the posed skin ``points`` (P, 3), in order round the eye."""
         share = self.share[:, None]
         return np.asarray(points[self.start] * (1 - share) + points[self.stop] * share, dtype=np.float64)
 
 
-def lid_line(display: DisplaySurface, eye: Eye) -> LidLine:
-    """The edge of the resting lids of an eye; empty if the skin has no opening there.
+def lid_line(points: Float32Array | FloatArray, triangles: IntArray, eye: Eye) -> LidLine:
+    """The edge of the resting lids of an eye on a skin of ``points`` (P, 3); empty if it has no opening there.
 
     In every section through the opening the edge is the place of the lid that stands out most inwards and forwards.
     """
-    opening = _opening(display, eye)
+    opening = _opening(points, triangles, eye)
     if opening is None:
         return LidLine(*(np.zeros(0, dtype=np.int64) for _ in "ab"), np.zeros(0))
-    offset = display.points.astype(np.float64) - [*opening[:2], eye.centre[2]]
+    offset = points.astype(np.float64) - [*opening[:2], eye.centre[2]]
     near = (np.linalg.norm(offset, axis=1) < NEAR * eye.radius) & (offset[:, 2] > 0.2 * eye.radius)
-    triangles = display.triangles[near[display.triangles].all(axis=1)]
-    edges = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
+    lids = triangles[near[triangles].all(axis=1)]
+    edges = np.unique(np.sort(lids[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
     found = [_edge_in_section(offset, edges, turn) for turn in 2 * np.pi * np.arange(SECTIONS) / SECTIONS]
     start, stop, share = np.array([place for place in found if place is not None]).reshape(-1, 3).T
     return LidLine(start.astype(np.int64), stop.astype(np.int64), share)
 
 
-def _opening(display: DisplaySurface, eye: Eye) -> FloatArray | None:
+def _opening(points: Float32Array | FloatArray, triangles: IntArray, eye: Eye) -> FloatArray | None:
     """The middle (3,) of the opening of the skin before an eye."""
-    middles = [display.points[loop].mean(axis=0) for loop in igl.boundary_loop_all(display.triangles)]
+    middles = [points[loop].mean(axis=0) for loop in igl.boundary_loop_all(triangles)]
     nearest = min(middles, key=lambda middle: float(np.linalg.norm(middle - eye.centre)))
     return nearest if np.linalg.norm(nearest - eye.centre) < NEAR * eye.radius else None
 

@@ -16,8 +16,8 @@ from ui.viewport.teeth import ENAMEL
 
 MUCOSA: Colour = (0.52, 0.20, 0.19)
 THROAT: Colour = (0.10, 0.02, 0.025)
-TONGUE: Colour = (0.60, 0.32, 0.31)
-TONGUE_LIGHT = 0.42
+TONGUE: Colour = (0.58, 0.33, 0.32)
+TONGUE_LIGHT = 0.32
 """Openness of the tip of the tongue: lips and teeth keep most of the light away."""
 DEEP = 34.0
 """Millimetres behind the lips at which the mouth is black."""

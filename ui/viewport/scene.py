@@ -243,7 +243,7 @@ class Scene:
     def _ghost(self) -> None:
         if self.figure is not None:
             veiled = self.state.skull or self.state.muscles
-            self.figure.ghost(Ghost.VEIL if veiled else Ghost.SOLID)
+            self.figure.ghost(Ghost.VEIL if veiled else Ghost.SOLID, bones=self.state.skull)
 
     def _paint(self) -> None:
         if self.figure is None or self._drawn is None:

@@ -25,7 +25,8 @@ class Skin:
     Attributes
     ----------
     surface : what VTK draws; its points and normals are those of the superposition
-    hem : the strip along the cut of the neck, if there is one
+    triangles : (t, 3) those of the drawn skin that lie above the cut of the neck
+    hem : the strip along the cut, if there is one
     """
 
     def __init__(self, posed: Superposition, look: Look, cut: NeckCut | None) -> None:
@@ -33,8 +34,8 @@ class Skin:
         colours = bytes_of(
             np.column_stack([at_points(face, display, look.colours), at_points(face, display, look.open)])
         )
-        triangles = display.triangles if cut is None else display.triangles[cut.kept]
-        self.surface = Surface(posed.points, posed.normals, triangles, colours)
+        self.triangles = display.triangles if cut is None else display.triangles[cut.kept]
+        self.surface = Surface(posed.points, posed.normals, self.triangles, colours)
         self._detail = "" if look.detail is None else _detail_of(look.palette)
         if look.detail is not None:
             self.surface.wear(look.detail.image, at_points(face, display, look.detail.coordinates))

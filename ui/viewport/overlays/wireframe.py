@@ -17,12 +17,12 @@ NOWHERE = 1e-6
 """A barycentric coordinate below this means that the point does not hang on that corner."""
 
 
-def element_edges(face: Face, display: DisplaySurface) -> IntArray:
-    """Segments (n, 2) of the drawn skin that lie on edges of elements.
+def element_edges(face: Face, display: DisplaySurface, triangles: IntArray) -> IntArray:
+    """Segments (n, 2) of some drawn triangles (t, 3) that lie on edges of elements.
 
     A segment does so if both its ends hang on the same two corners.
     """
-    pairs = np.sort(display.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    pairs = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     pairs = np.unique(pairs, axis=0)
     corners = np.where(display.barycentric > NOWHERE, face.skin.triangles[display.elements], -1)
     both = np.sort(np.concatenate([corners[pairs[:, 0]], corners[pairs[:, 1]]], axis=1), axis=1)
@@ -36,7 +36,7 @@ class WireframeOverlay(Overlay):
     def build(self, drawn: Drawn) -> None:
         """Make the lines."""
         display = drawn.figure.posed.basis.display
-        edges = element_edges(drawn.project.face, display)
+        edges = element_edges(drawn.project.face, display, drawn.figure.skin.triangles)
         held = (edges >= display.moving).any(axis=1)
         for chosen, colour in ((edges[~held], SOLVED), (edges[held], HELD)):
             self.add(_lines(drawn, chosen, colour))
