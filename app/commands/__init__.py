@@ -16,6 +16,7 @@ from app.commands.painting import (
     paint_layers,
     with_layer_array,
 )
+from app.commands.skull import SetSkull, set_skull
 from app.commands.weights import SetWeights, set_weights
 from app.commands.whole import ReplaceProject, Several
 
@@ -27,6 +28,7 @@ __all__ = [
     "PaintLayers",
     "PaintedRows",
     "ReplaceProject",
+    "SetSkull",
     "SetWeights",
     "Several",
     "array_bytes",
@@ -34,6 +36,7 @@ __all__ = [
     "layer_array",
     "paint_deltas",
     "paint_layers",
+    "set_skull",
     "set_weights",
     "with_layer_array",
 ]

@@ -48,7 +48,7 @@ class Several:
     ----------
     label : what a person calls them together
     steps : in the order in which they are done
-    gesture : empty; several steps are never joined with others
+    gesture : steps with the same gesture in a row are one step; empty for a step of its own
     """
 
     label: str
@@ -78,5 +78,12 @@ class Several:
         return project
 
     def joined(self, later: Command) -> Command | None:
-        """Never one step with another."""
-        return None
+        """Both as one step if they belong to one gesture, each kind of step with its own."""
+        if not self.gesture or later.gesture != self.gesture:
+            return None
+        kept: list[Command] = list(self.steps)
+        for step in later.steps if isinstance(later, Several) else (later,):
+            both = ((place, one.joined(step)) for place, one in enumerate(kept))
+            place, one = next(((place, one) for place, one in both if one is not None), (len(kept), step))
+            kept[place : place + 1] = [one]
+        return Several(later.label, tuple(step for step in kept if step.changes), self.gesture)

@@ -172,5 +172,5 @@ def _layers(members: Members, count: int) -> Layers:
         stretching=members.floats("face/layers/stretching", (count, 2), 0, most),
         bending=members.floats("face/layers/bending", (count, 3), 0, most),
         stiffness=members.floats("face/layers/stiffness", (count,), 0, most),
-        supports=members.indices("face/layers/supports", (count,), Support.CLAMPED + 1),
+        supports=members.indices("face/layers/supports", (count,), len(Support)),
     )

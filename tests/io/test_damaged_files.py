@@ -199,7 +199,7 @@ def put(*index: int, value: float) -> Callable[[np.ndarray], np.ndarray]:
         ("face/skin/chart", lambda a: a[1:], "shape (24, 2)"),
         ("face/skull/jawbone", put(3, value=1.5), "1.5 and not in 0 to 1"),
         ("face/layers/stiffness", put(0, value=-1), "-1 and not in 0"),
-        ("face/layers/supports", put(0, value=3), "3, which is outside 0"),
+        ("face/layers/supports", put(0, value=4), "4, which is outside 0"),
         ("face/parts/2/shares", put(0, 0, value=0.5), "sum to one"),
         ("face/parts/2/anchors", lambda a: a[:2], "shape"),
         ("face/parts/0/anchors", lambda a: np.zeros((4, 1), np.int32), "shape"),
