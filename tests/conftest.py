@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import signal
 import tempfile
 from pathlib import Path
 
@@ -21,6 +22,8 @@ _before = pytest.StashKey[dict[str, str | None]]()
 def pytest_configure(config: pytest.Config) -> None:
     """Point the user's folders at scratch ones before anything is imported that reads them; one thread, as in `ui`."""
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    # A shell starts its background jobs deaf to Ctrl+C, and the programs that tests start would inherit that.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     scratch = Path(tempfile.mkdtemp(prefix="risorius-tests-"))
     config.stash[_scratch] = scratch
     config.stash[_before] = {name: os.environ.get(name) for name in _OWN_FOLDERS}
