@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import igl
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
@@ -11,8 +12,7 @@ from app.tools.pointer import Hit, Modifier, Pointer, Ray, skin_hit, skull_hit
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.laying.places import Bone
-from facemodel.painting.regions import unhidden
-from fem.types import BoolArray, Float32Array, FloatArray
+from fem.types import BoolArray, FloatArray
 from ui.viewport.overlays.overlay import Drawn
 from ui.viewport.overlays.supports import points_of_vertices
 from ui.viewport.pick import Hit as DrawnHit
@@ -22,11 +22,8 @@ from ui.viewport.scene import Scene
 TIP = 6.0
 """Pixels that the tip of the pointer covers."""
 
-CELL = 6
-"""Pixels of a cell in the coarse picture of depths that tells what hides what; more than between two drawn points."""
-
-SLACK = 4.0
-"""Millimetres by which a vertex may lie behind what is drawn in its cell: the slope of the skin within one."""
+CLEAR = 0.3
+"""Millimetres by which a line of sight begins above the skin, so that it does not end where it begins."""
 
 
 def place_at_rest(face: Face, display: DisplaySurface, hit: DrawnHit) -> tuple[int, FloatArray]:
@@ -89,14 +86,19 @@ class ToolSight:
         if drawn is None:
             return np.zeros((0, 2)), np.zeros(0, dtype=np.bool_)
         posed = drawn.figure.posed
-        screen, depth = self._projected(posed.points)
         vertices = points_of_vertices(drawn.project.face, posed.basis.display)
-        nearest = self._depths(screen, depth)
-        seen = unhidden(screen[vertices] / CELL, depth[vertices], nearest, SLACK)
-        eye = np.array(self._scene.renderer.GetActiveCamera().GetPosition())
-        towards = eye - posed.points[vertices]
-        facing = np.einsum("ij,ij->i", towards, posed.normals[vertices]) > 0
-        return screen[vertices] / self.scale, seen & facing
+        places = posed.points[vertices].astype(np.float64)
+        normals = posed.normals[vertices].astype(np.float64)
+        towards = self._towards_eye(places)
+        seen = np.einsum("ij,ij->i", towards, normals) > 0
+        mesh = posed.points.astype(np.float64), posed.basis.display.triangles
+        tree = igl.AABB()
+        tree.init(*mesh)
+        lines = np.flatnonzero(seen)
+        starts = places[lines] + CLEAR * normals[lines]
+        met, _, _ = tree.intersect_ray_first(*mesh, starts, np.ascontiguousarray(towards[lines]))
+        seen[lines] = met < 0
+        return self._on_screen(places) / self.scale, seen
 
     def _in_picture(self, x: float, y: float) -> tuple[float, float]:
         return x * self.scale, self._scene.renderer.GetSize()[1] - 1 - y * self.scale
@@ -120,25 +122,20 @@ class ToolSight:
                 found.append((away, skull_hit(drawn.project.face, bone, hit.triangle, hit.barycentric)))
         return min(found, key=lambda each: each[0])[1] if found else None
 
-    def _projected(self, points: Float32Array) -> tuple[FloatArray, FloatArray]:
-        """Pixels (P, 2) of the picture from its upper left corner, and distances (P,) from the eye in millimetres."""
-        renderer = self._scene.renderer
-        camera, (width, height) = renderer.GetActiveCamera(), renderer.GetSize()
-        matrix = _matrix(renderer)
-        clip = np.column_stack([points, np.ones(len(points))]) @ matrix.T
-        there = clip[:, :2] / clip[:, 3:]
-        screen = np.column_stack([(there[:, 0] + 1) / 2 * width, (1 - there[:, 1]) / 2 * height])
-        depth = (points - np.array(camera.GetPosition())) @ np.array(camera.GetDirectionOfProjection())
-        return screen, depth
+    def _towards_eye(self, places: FloatArray) -> FloatArray:
+        """Ways (N, 3) from places to the eye, however long."""
+        camera = self._scene.renderer.GetActiveCamera()
+        if camera.GetParallelProjection():
+            return np.broadcast_to(-np.array(camera.GetDirectionOfProjection()), places.shape)
+        return np.array(camera.GetPosition()) - places
 
-    def _depths(self, screen: FloatArray, depth: FloatArray) -> FloatArray:
-        """The nearest drawn point (H, W) of every cell of the picture; infinite where there is none."""
-        width, height = self._scene.renderer.GetSize()
-        cells = np.full((height // CELL + 1, width // CELL + 1), np.inf)
-        column, row = np.floor(screen / CELL).astype(np.int64).T
-        inside = (column >= 0) & (column < cells.shape[1]) & (row >= 0) & (row < cells.shape[0])
-        np.minimum.at(cells, (row[inside], column[inside]), depth[inside])
-        return cells
+    def _on_screen(self, places: FloatArray) -> FloatArray:
+        """Pixels (N, 2) of the picture from its upper left corner."""
+        renderer = self._scene.renderer
+        width, height = renderer.GetSize()
+        clip = np.column_stack([places, np.ones(len(places))]) @ _matrix(renderer).T
+        there = clip[:, :2] / clip[:, 3:]
+        return np.column_stack([(there[:, 0] + 1) / 2 * width, (1 - there[:, 1]) / 2 * height])
 
 
 def _matrix(renderer: vtkRenderer) -> FloatArray:

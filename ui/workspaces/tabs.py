@@ -24,6 +24,7 @@ class WorkspaceTabs(QTabBar):
         super().__init__(parent)
         self.setObjectName("workspaces")
         self.setDrawBase(False)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setExpanding(False)
         self.setUsesScrollButtons(False)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)

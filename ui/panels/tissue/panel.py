@@ -12,6 +12,7 @@ from ui.panels.tissue.layer_list import LayerList
 from ui.panels.tissue.look_box import LookBox
 from ui.panels.tissue.region_box import RegionBox
 from ui.panels.tissue.solve_note import SolveNote
+from ui.panels.tissue.texture_box import TextureBox
 from ui.theme.metrics import GRID
 from ui.widgets.collapsible import Collapsible
 
@@ -34,6 +35,7 @@ class TissuePanel(QWidget):
         self.brush = BrushBox(bench.brush)
         self.region = RegionBox(bench, context.host.show_message)
         self.look = LookBox(context.document, context.view)
+        self.texture = TextureBox(context, bench)
         self.note = SolveNote(context.document, context.solving)
         inside = QWidget()
         inside.setProperty("role", "panel")
@@ -55,7 +57,13 @@ class TissuePanel(QWidget):
         layout.addWidget(self.note)
 
     def _groups(self) -> tuple[tuple[str, QWidget], ...]:
-        return (("Layer", self.layers), ("Brush", self.brush), ("Region", self.region), ("Show", self.look))
+        return (
+            ("Layer", self.layers),
+            ("Brush", self.brush),
+            ("Region", self.region),
+            ("Show", self.look),
+            ("Picture", self.texture),
+        )
 
 
 def _group(title: str, widget: QWidget) -> Collapsible:

@@ -12,18 +12,25 @@ from facemodel.face import Face
 from facemodel.painting.geodesic import SurfacePoint
 from facemodel.painting.surface import PaintSurface
 from fem.types import Float32Array, FloatArray
-from ui.viewport.overlays.iso_lines import LIFT, Lines, crossings
+from ui.viewport.overlays.iso_lines import Lines, crossings
 from ui.viewport.overlays.overlay import Drawn
 from ui.workspaces.workspace import Parts
 
 OUTER, CORE, IMAGE = (1.0, 1.0, 1.0), (1.0, 1.0, 1.0), (0.85, 0.85, 0.85)
 SHADOW = (0.05, 0.05, 0.06)
 AROUND = 48
-BEYOND = 1.35
-"""Distances are asked for beyond the radius by this factor, so that the ring has values on both of its sides."""
+ABOVE = 0.3
+"""Millimetres by which the ring lies above the skin; its shadow is below it."""
 
-FLAT = 5.0
-"""Millimetres; a ring smaller than this has too few vertices in it, and skin is as good as flat there."""
+FAR, SHORT = 1e9, 1e-6
+"""Millimetres: beyond every face, and less than between any two places that are told apart."""
+
+BEYOND, MARGIN = 1.3, 8.0
+"""Distances are asked for beyond the radius by this factor and millimetres, so that every triangle that the ring runs
+through has values at all of its corners."""
+
+FLAT = 3.0
+"""Millimetres; a ring smaller than this lies within a triangle or two, and skin is as good as flat there."""
 
 
 class BrushRing:
@@ -34,8 +41,8 @@ class BrushRing:
         self._ground: Ground = parts.bench.ground
         self._ring: Ring | None = None
         self._lines = {
-            "shadow": Lines(SHADOW, 4.0, 0.45),
-            "outer": Lines(OUTER, 1.8),
+            "shadow": Lines(SHADOW, 4.0, 0.45, nearer=2.0),
+            "outer": Lines(OUTER, 1.8, nearer=40.0),
             "core": Lines(CORE, 1.2, 0.55),
             "image": Lines(IMAGE, 1.2, 0.7),
         }
@@ -78,17 +85,21 @@ def _circle(surface: PaintSurface, drawn: Drawn, hit: Hit, radius: float) -> Flo
     if radius < FLAT or "geodesics" not in vars(surface):
         return _flat(face, posed.points, posed.normals, posed.basis.display, hit, radius)
     point = SurfacePoint(hit.triangle, hit.barycentric)
-    ball = surface.geodesics.within(point, BEYOND * radius + 2.0)
-    away = np.full(len(face.skin.positions), np.inf)
-    away[ball.vertices] = ball.distances
+    ball = surface.geodesics.within(point, BEYOND * radius + MARGIN)
+    # Triangles of the skin are coarse, and distance is far from linear on them; how much longer the way on the skin is
+    # than through the air is nearly so.
+    longer = np.full(len(face.skin.positions), np.inf)
+    through = np.linalg.norm(face.skin.positions[ball.vertices] - hit.position, axis=1)
+    longer[ball.vertices] = np.maximum(ball.distances / np.maximum(through, SHORT), 1.0)
     display = posed.basis.display
     corners = face.skin.triangles[display.elements]
-    near = np.isfinite(away[corners]).all(axis=1)
-    at = np.full(len(corners), 1e9)
-    at[near] = np.einsum("pk,pk->p", display.barycentric[near], away[corners[near]])
+    near = np.isfinite(longer[corners]).all(axis=1)
+    at = np.full(len(corners), FAR)
+    factor = np.einsum("pk,pk->p", display.barycentric[near], longer[corners[near]])
+    at[near] = factor * np.linalg.norm(display.points[near] - hit.position, axis=1)
     # Beyond the ball nothing is known, so no line may run there.
     triangles = display.triangles[near[display.triangles].all(axis=1)]
-    return crossings(at, triangles, np.array([radius])).on(posed.points, posed.normals)
+    return crossings(at, triangles, np.array([radius])).on(posed.points, posed.normals, ABOVE)
 
 
 def _flat(
@@ -108,5 +119,7 @@ def _flat(
     across /= np.linalg.norm(across)
     up = np.cross(normal, across)
     turn = np.linspace(0, 2 * np.pi, AROUND + 1)
-    ring = hit.position + moved + LIFT * normal + radius * (np.cos(turn)[:, None] * across + np.sin(turn)[:, None] * up)
+    ring = (
+        hit.position + moved + ABOVE * normal + radius * (np.cos(turn)[:, None] * across + np.sin(turn)[:, None] * up)
+    )
     return np.repeat(ring, 2, axis=0)[1:-1].astype(np.float32)

@@ -31,12 +31,12 @@ class Crossings:
     other: IntArray
     share: FloatArray
 
-    def on(self, points: Float32Array, normals: Float32Array) -> Float32Array:
-        """Where they are (2 n, 3) on a posed skin."""
+    def on(self, points: Float32Array, normals: Float32Array, lift: float = LIFT) -> Float32Array:
+        """Where they are (2 n, 3) on a posed skin, somewhat above it."""
         share = self.share[:, None].astype(np.float32)
         place = (1 - share) * points[self.one] + share * points[self.other]
         outward = (1 - share) * normals[self.one] + share * normals[self.other]
-        return np.ascontiguousarray(place + np.float32(LIFT) * outward)
+        return np.ascontiguousarray(place + np.float32(lift) * outward)
 
 
 def crossings(values: FloatArray, triangles: IntArray, levels: FloatArray) -> Crossings:
@@ -68,19 +68,26 @@ def _nothing() -> tuple[IntArray, IntArray, FloatArray]:
 class Lines:
     """Segments in one colour that shine through nothing and take no light.
 
+    Parameters
+    ----------
+    colour, width, opacity : of the lines; width in pixels
+    nearer : steps of depth that they are drawn in front of where they are; of lines in one place the nearer are seen
+
     Attributes
     ----------
     actor : the VTK side
     """
 
-    def __init__(self, colour: tuple[float, float, float], width: float, opacity: float = 1.0) -> None:
+    def __init__(
+        self, colour: tuple[float, float, float], width: float, opacity: float = 1.0, nearer: float = 6.0
+    ) -> None:
         self._data = vtkPolyData()
         self._data.SetPoints(vtkPoints())
         mapper = vtkPolyDataMapper()
         mapper.SetInputData(self._data)
         mapper.ScalarVisibilityOff()
         mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -6.0)
+        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -nearer)
         self.actor = vtkActor()
         self.actor.SetMapper(mapper)
         self.actor.PickableOff()

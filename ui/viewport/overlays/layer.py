@@ -160,7 +160,8 @@ class LayerDrawing:
         if layer.kind != "amount" or len(self._values) != len(drawn.project.face.skin.positions):
             return
         display = drawn.figure.posed.basis.display
-        levels = np.linspace(self._map.low, self._map.high, LINES_IN_RANGE + 1)[1:-1]
+        # Between the round numbers: plateaus are painted at those, and a line would wander about on one.
+        levels = self._map.low + (self._map.high - self._map.low) * (np.arange(LINES_IN_RANGE) + 0.5) / LINES_IN_RANGE
         values = at_drawn(layer, drawn.project.face, display, self._values)
         solved = display.triangles[(display.triangles < display.moving).all(axis=1)]
         self._crossings = crossings(values, solved, levels)

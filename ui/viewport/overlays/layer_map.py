@@ -31,10 +31,10 @@ SEVERAL = 4.0
 cheeks would look alike."""
 
 CYCLE = np.array(
-    [(0.263, 0.404, 0.737), (0.855, 0.855, 0.865), (0.839, 0.541, 0.278), (0.255, 0.235, 0.240), (0.263, 0.404, 0.737)]
+    [(0.839, 0.541, 0.278), (0.255, 0.235, 0.240), (0.263, 0.404, 0.737), (0.855, 0.855, 0.865), (0.839, 0.541, 0.278)]
 )
-"""Blue, pale, orange, dark and back: angles that are a quarter turn apart differ in lightness or in blue and yellow,
-which every kind of eye tells apart."""
+"""Orange, dark, blue, pale and back, with blue for what is level: angles that are a quarter turn apart differ in
+lightness or in blue and yellow, which every kind of eye tells apart."""
 
 
 @dataclass(frozen=True)
@@ -80,8 +80,8 @@ class LayerMap:
 
     @property
     def bands(self) -> tuple[Band, ...]:
-        """The entries of a legend of choices."""
-        return tuple(Band(SUPPORT_TITLES[kind], CHOICES[kind]) for kind in Support)
+        """The entries of a legend of choices; free skin is bare and needs none."""
+        return tuple(Band(SUPPORT_TITLES[kind], CHOICES[kind]) for kind in Support if kind is not Support.FREE)
 
 
 def layer_map(layer: PaintLayer, values: FloatArray, also: float) -> LayerMap:
