@@ -53,9 +53,12 @@ class BrushTool(Tool):
         self.move(pointer)
 
     def move(self, pointer: Pointer) -> None:
-        """Go on with the stroke."""
+        """Go on with the stroke; beside the face the brush is off the skin."""
         self.hover(pointer)
-        if self._stroke is None or pointer.skin is None:
+        if self._stroke is None:
+            return
+        if pointer.skin is None:
+            self._stroke.lift()
             return
         point = SurfacePoint(pointer.skin.triangle, pointer.skin.barycentric)
         self._show(self._stroke.extend(point, pointer.pressure))
@@ -70,7 +73,10 @@ class BrushTool(Tool):
     def hover(self, pointer: Pointer) -> None:
         """Show where the brush would paint."""
         self._last = pointer.skin
-        self._redraw_ring()
+        if pointer.skin is None:
+            self.leave()
+        else:
+            self._redraw_ring()
 
     def leave(self) -> None:
         """Take the ring away."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from app.tools.grips import dragged_to, handle_distance, place_on_fibre
-from app.tools.laying import ghost, laid, put_in, with_image
+from app.tools.laying import drafted, ghost, put_in, with_image
 from app.tools.pointer import Pointer
 from app.tools.select import fibre_distance
 from app.tools.sight import Ghost, Grip
@@ -180,6 +180,6 @@ class FibreTool(Tool):
             if now.skin is None:
                 return None
             fibre = laid_fibre(self._project.face, start, now.skin.position, bone=self.bone_snap, skin=self.skin_snap)
-            return added_fibre(own[0], fibre) if adds else laid(self._project, fibre)
+            return added_fibre(own[0], fibre) if adds else drafted(self._project, fibre)
 
         return Drag("Add fibre to" if adds else "Lay", made)

@@ -8,12 +8,15 @@ from dataclasses import replace
 import numpy as np
 
 from app.tools.sight import Ghost
+from facemodel.displaced import displaces
 from facemodel.face import Face
-from facemodel.laying.checks import checked, complaints, shape_complaints
-from facemodel.laying.collection import new_muscle, with_muscle
-from facemodel.laying.influence import arrows, coarse, influence
+from facemodel.laying.checks import checked, shape_complaints
+from facemodel.laying.collection import drafted_muscle, with_muscle
+from facemodel.laying.influence import FAINT, Arrows, coarse
 from facemodel.laying.sides import mirrored, partner
+from facemodel.loads import along_bone
 from facemodel.muscles import Fibre, Muscle
+from facemodel.muscles.models import MODELS, muscle_action
 from facemodel.project import Project
 from fem.types import FloatArray
 
@@ -56,16 +59,10 @@ def group_at(face: Face, place: FloatArray) -> str:
     return NEAR[max(fitting, key=len)] if fitting else "cheek"
 
 
-def laid(project: Project, fibre: Fibre) -> Muscle:
-    """A new muscle of one fibre.
-
-    Raises
-    ------
-    MuscleError
-        If it cannot be used as it lies.
-    """
+def drafted(project: Project, fibre: Fibre) -> Muscle:
+    """A new muscle of one fibre, as it may lie while it is drawn."""
     group = group_at(project.face, fibre.attachment)
-    return new_muscle(project, f"{group.capitalize()} muscle", group, fibres=(fibre,))
+    return drafted_muscle(project, f"{group.capitalize()} muscle", group, fibres=(fibre,))
 
 
 def with_image(project: Project, muscle: Muscle, linked: bool) -> tuple[Muscle, ...]:
@@ -91,10 +88,22 @@ def put_in(project: Project, muscle: Muscle, linked: bool) -> Project:
 
 
 def ghost(muscles: tuple[Muscle, ...], face: Face) -> Ghost:
-    """What is drawn of muscles that are dragged: themselves, what the first one acts on, and what is wrong with it."""
-    first = muscles[0]
-    if any(shape_complaints(first)):
-        return Ghost(muscles, complaint=next(shape_complaints(first)))
-    quick = coarse(first)
-    wrong = complaints(quick, face)
-    return Ghost(muscles, influence(quick, face), arrows(quick, face), wrong[0] if wrong else "")
+    """What is drawn of muscles that are dragged: themselves, what the first one acts on, and what is wrong with it.
+
+    Only what is seen at once is checked; whether it lies within the head is when the hand lets go.
+    """
+    first = coarse(muscles[0])
+    wrong = next(shape_complaints(first), "")
+    if wrong:
+        return Ghost(muscles, complaint=wrong)
+    action = muscle_action(first, face)
+    size = np.linalg.norm(action, axis=1)
+    most = float(size.max())
+    if most == 0:
+        far = f"“{first.title}” reaches no vertex of the skin; make it wider, or move it there."
+        return Ghost(muscles, complaint=far if first.strength and not displaces(first) else "")
+    model = MODELS[first.model]
+    vectors = along_bone(action, face.skin.normals) if model.action == "force" and model.slides else action
+    felt = np.flatnonzero(size > FAINT * most)
+    arrows = Arrows(felt, face.skin.positions[felt], vectors[felt], model.action)
+    return Ghost(muscles, size / most, arrows)

@@ -69,8 +69,21 @@ def new_muscle(
     MuscleError
         If it cannot be used as it lies.
     """
+    return checked(drafted_muscle(project, title, group, fibres=fibres, ring=ring, model=model), project.face)
+
+
+def drafted_muscle(
+    project: Project,
+    title: str,
+    group: str,
+    *,
+    fibres: tuple[Fibre, ...] = (),
+    ring: Sphincter | None = None,
+    model: Model | None = None,
+) -> Muscle:
+    """A new muscle as `new_muscle` makes it, while it is still in the hand and may lie as it should not."""
     places = [fibre.points[k] for fibre in fibres for k in (0, -1)] + ([ring.centre] if ring else [])
-    muscle = Muscle(
+    return Muscle(
         name=unique_name(name_from(title), [each.name for each in project.muscles]),
         side=side_of(project.face, *places),
         title=title.strip() or "Muscle",
@@ -83,7 +96,6 @@ def new_muscle(
         strength=STRENGTH.default,
         count=int(COUNT.default) if fibres else 1,
     )
-    return checked(muscle, project.face)
 
 
 def with_muscle(project: Project, muscle: Muscle) -> Project:

@@ -95,6 +95,10 @@ class Stroke:
         self._pressure = pressure
         return self._taken(weights, grain)
 
+    def lift(self) -> None:
+        """Take the brush off the skin: the next point begins a new line of the same stroke."""
+        self._tip = None
+
     def _advance(self, stop: SurfacePoint, pressure: float, weights: FloatArray, grain: NDArray[np.complex128]) -> None:
         assert self._tip is not None
         start, self._tip = self._tip, Tip(self._surface.geodesics, stop, self.brush.radius)

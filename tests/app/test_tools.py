@@ -7,7 +7,7 @@ import pytest
 
 from app.commands import PaintLayers
 from app.document import Document
-from app.tools import TOOLS, Bench, Hit, Pointer, Ray, ToolBox, Working, skin_hit, skull_hit
+from app.tools import TOOLS, Bench, FibreTool, Hit, Pointer, Ray, ToolBox, Working, skin_hit, skull_hit
 from app.tools.laying import group_at
 from app.view import View
 from facemodel.errors import UnknownNameError
@@ -139,6 +139,25 @@ def test_a_stroke_beside_the_face_is_none(box: ToolBox, document: Document, proj
     assert not box.busy
     box.release(Pointer(0, 0))
     assert document.project is project
+
+
+def test_a_stroke_that_leaves_the_face_paints_nothing_between_where_it_left_and_came_back(
+    box: ToolBox, document: Document, project: Project
+) -> None:
+    box.bench.brush.change(radius=8.0)
+    rings: list[object] = []
+    box.bench.sight.ring_changed.connect(rings.append)
+    box.press(on_skin(project.face, -30, 0))
+    box.move(Pointer(0, 0))
+    assert rings[-1] is None
+    box.move(on_skin(project.face, 30, 0))
+    box.release(on_skin(project.face, 30, 0))
+    x = project.face.skin.positions[:, 0]
+    changed = document.project.face.layers.stiffness != project.face.layers.stiffness
+    assert changed[x < -20].any()
+    assert changed[x > 20].any()
+    assert not changed[np.abs(x) < 15].any()
+    assert len(document.history.done) == 1
 
 
 def test_control_takes_away_what_was_added(box: ToolBox, document: Document, project: Project) -> None:
@@ -386,13 +405,24 @@ def test_a_cancelled_drag_of_a_muscle_leaves_no_trace(lab: ToolBox, ada: Project
 def test_a_fibre_that_cannot_be_laid_says_why(lab: ToolBox, ada: Project) -> None:
     complaints: list[str] = []
     lab.failed.connect(complaints.append)
+    ghosts: list[object] = []
+    lab.bench.sight.ghost_changed.connect(ghosts.append)
     lab.take("fibre")
+    fibre = lab.tool
+    assert isinstance(fibre, FibreTool)
+    fibre.bone_snap = fibre.skin_snap = "free"
     place = face_hit(ada.face, "cheek_L")
     lab.press(Pointer(0, 0, skull=place))
-    lab.tool.bone_snap = "free"  # type: ignore[attr-defined]
+    lab.move(Pointer(0, 0, skin=place))
+    assert "one point" in ghosts[-1].complaint  # type: ignore[attr-defined]
+    lab.release(Pointer(0, 0, skin=place))
+    assert "one point" in complaints[0]
+    assert lab.bench.document.project is ada
+    air = replace(place, position=place.position + BEFORE_THE_FACE)
+    lab.press(Pointer(0, 0, skull=air))
     lab.move(Pointer(0, 0, skin=place))
     lab.release(Pointer(0, 0, skin=place))
-    assert complaints == [] or "one point" in complaints[0]
+    assert "outside the head" in complaints[1]
     assert lab.bench.document.project is ada
 
 
