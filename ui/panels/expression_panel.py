@@ -122,12 +122,27 @@ class ExpressionPanel(QWidget):
 
     def _connect(self) -> None:
         self._document.project_changed.connect(self.show_project)
+        self._document.units_changed.connect(self._follow_units)
+        self._document.muscles_changed.connect(self._follow_units)
+        self._document.emotions_changed.connect(lambda _names: self.emotions.show_project(self._document.project))
         self._document.expression_changed.connect(self.show_expression)
         self._view.changed.connect(self._show_view)
         self.search.textChanged.connect(self._filter)
         self.search.left.connect(self._go_to_first)
         self.link.clicked.connect(lambda on: self._view.change(linked=on))
         self.reset.clicked.connect(lambda: self._document.reset_expression())
+
+    def _follow_units(self, _changed: object) -> None:
+        """Rows stay where only what units are made of is other than before."""
+        project = self._document.project
+        listed = [(row.unit.number, row.unit.name, row.unit.paired) for row in self.rows.values()]
+        ordered = [unit for key in GROUP_TITLES for unit in project.units if unit.group == key]
+        if listed != [(unit.number, unit.name, unit.paired) for unit in ordered]:
+            self.show_project(project)
+            return
+        titles = muscle_titles(project.muscles)
+        for unit in ordered:
+            self.rows[unit.number].become(unit, titles)
 
     def _show_view(self, now: ViewState, _before: ViewState) -> None:
         self.link.setChecked(now.linked)

@@ -70,6 +70,11 @@ class UnitRow(QWidget):
             self.clear.setVisible(self.changed)
             self.update()
 
+    def become(self, unit: ActionUnit, titles: MuscleTitles) -> None:
+        """Stand for the same unit made of other muscles."""
+        self.unit = unit
+        self.slider.setToolTip(unit_tooltip(unit, titles))
+
     def unfold(self, unfolded: bool) -> None:
         """Show left and right apart, if it has them."""
         self.split.setChecked(unfolded and self.unit.paired)

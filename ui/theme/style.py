@@ -22,7 +22,7 @@ QTabBar#workspaces::tab { background: transparent; color: $muted; border: none; 
   padding: 5px 12px 4px 12px; margin: 0; }
 QTabBar#workspaces::tab:hover { color: $text; }
 QTabBar#workspaces::tab:selected { color: $text; border-bottom-color: $accent; }
-QTabBar#workspaces:focus::tab:selected { background: $hover; }
+QTabBar#workspaces::tab:selected:focus { color: $accent; }
 QMenu { background: $panel; border: 1px solid $line; padding: 4px 0; }
 QMenu::item { padding: 5px 32px 5px 8px; min-height: 16px; }
 QMenu::icon { padding-left: 12px; }
@@ -39,6 +39,20 @@ QToolButton:pressed { background: $line; }
 QToolButton:checked { background: $chosen; }
 QToolButton:focus { border: 1px solid $accent; padding: 4px; }
 QToolButton[role="small"] { padding: 2px; }
+QTabBar#parts { background: $panel; }
+QTabBar#parts::tab { background: transparent; color: $muted; border: none; border-bottom: 2px solid transparent;
+  padding: 4px 8px; margin: 0 0 0 4px; }
+QTabBar#parts::tab:hover { color: $text; }
+QTabBar#parts::tab:selected { color: $text; border-bottom-color: $accent; }
+QTabBar#parts::tab:selected:focus { color: $accent; }
+QTabWidget::pane { border: none; }
+QComboBox { background: $raised; border: 1px solid $line; border-radius: 3px; padding: 0 6px; min-height: ${field}px; }
+QComboBox:hover { background: $hover; }
+QComboBox:focus { border-color: $accent; }
+QComboBox:disabled { color: $faint; background: $panel; }
+QComboBox QAbstractItemView { background: $panel; border: 1px solid $line; padding: 4px 0; }
+QSplitter::handle:vertical { background: $panel; border-top: 1px solid $line; }
+QSplitter::handle:vertical:hover { border-top-color: $accent; }
 QToolButton[role="choice"] { background: $raised; padding: 4px 6px; }
 QToolButton[role="choice"]:hover { background: $hover; }
 QToolButton[role="choice"]:checked { background: $chosen; }

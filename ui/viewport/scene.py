@@ -105,7 +105,7 @@ class Scene:
         if self.figure is None or not same or not self.figure.posed.adopt(project.face, basis):
             self._become(Figure(Superposition(project.face, basis)))
         assert self.figure is not None
-        self._drawn = Drawn(project, self.figure, {}, self.state.muscle)
+        self._drawn = Drawn(project, self.figure, {}, self.state.muscle, self.state.others)
         if not same:
             self.look_from(self.state.view if self.state.view in DIRECTIONS else "three-quarter")
         self._ghost()
@@ -147,7 +147,7 @@ class Scene:
         project_in_parallel(self.renderer.GetActiveCamera(), not state.perspective)
         if self._drawn is None:
             return
-        self._drawn = replace(self._drawn, muscle=state.muscle)
+        self._drawn = replace(self._drawn, muscle=state.muscle, others=state.others)
         self._ghost()
         if _painted(state) != _painted(before):
             self._paint()

@@ -20,9 +20,11 @@ from app.tools.toolbox import ToolBox
 from app.view import View
 from app.view_state import ViewState, Workspace
 from facemodel.muscles import Muscle
+from ui.panels.actions.unit_deeds import UNIT_ACTIONS
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.face_information import FaceInformation
-from ui.panels.muscle_list import MuscleList, muscle_label
+from ui.panels.muscle_text import muscle_label
+from ui.panels.muscles.deeds import MUSCLE_ACTIONS
 from ui.viewport.tool_hands import ToolHands
 from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
@@ -75,10 +77,8 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self.viewport)
         self.panels = WorkspacePanels(Parts(self.context, bench, self.toolbox, self.viewport, preparation), WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")
-        self.muscles = MuscleList(document, view)
         self.docks = {
             "workspace": Dock("workspace", "Expression", self.panels),
-            "muscles": Dock("muscles", "Muscles", self.muscles),
             "information": Dock("information", "Face information", FaceInformation(document)),
         }
         self.hands = ToolHands(self.viewport.canvas, self.viewport.scene, self.toolbox)
@@ -158,9 +158,8 @@ class MainWindow(QMainWindow):
 
     def _place_docks(self) -> None:
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.docks["workspace"])
-        for name in ("muscles", "information"):
-            self.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, self.docks[name])
-            self.docks[name].hide()
+        self.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, self.docks["information"])
+        self.docks["information"].hide()
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
 
     def _connect(self) -> None:
@@ -197,7 +196,8 @@ class MainWindow(QMainWindow):
 
     def _actions(self, context: Context) -> tuple[Action, ...]:
         of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
-        return (*all_actions(context), *workspace_actions(WORKSPACES), *of_tools)
+        authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS)
+        return (*all_actions(context), *authoring, *workspace_actions(WORKSPACES), *of_tools)
 
     def _take_tool(self, tool: Tool) -> None:
         """Show what is in hand; over the face of the expression workspace the pointer names muscles."""
@@ -234,8 +234,8 @@ class MainWindow(QMainWindow):
         self.binding.refresh()
 
     def _follow_view(self, now: ViewState, before: ViewState) -> None:
-        if now.influence and not before.influence and not now.muscle:
-            self.show_dock("muscles")
+        if now.influence and not before.influence and not now.muscle and now.workspace != "muscles":
+            self.show_workspace("muscles")
             self.status.notify("Choose the muscle whose influence is to be shown.")
 
     def _name_muscle(self, muscle: Muscle | None) -> None:

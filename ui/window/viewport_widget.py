@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.differences import same_head
 from app.document import Document
+from app.solo import seen
 from app.view import View
 from app.view_state import ViewName, ViewState
 from facemodel.actions import Expression
@@ -20,7 +21,7 @@ from facemodel.io.disk import replacing
 from facemodel.muscles import Muscle
 from facemodel.project import Project
 from facemodel.solve import Solution
-from ui.panels.muscle_list import muscle_label
+from ui.panels.muscle_text import muscle_label
 from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID
 from ui.viewport.interaction import CameraHands
@@ -209,7 +210,7 @@ class Viewport(QWidget):
         if self._pose_due:
             self._pose_due = False
             start = time.perf_counter()
-            self.scene.pose(self._document.shown)
+            self.scene.pose(seen(self._document, self._view.state))
             self._posed = 1000 * (time.perf_counter() - start)
         self.scene.before_frame()
 
@@ -226,6 +227,8 @@ class Viewport(QWidget):
 
     def _apply(self, now: ViewState, before: ViewState) -> None:
         self.scene.apply(now)
+        if (now.solo, now.unit, now.workspace) != (before.solo, before.unit, before.workspace):
+            self._pose(self._document.shown)
         if now.before != before.before:
             self._show_anew(None)
         if now.turntable and not before.turntable:

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from app.tools.brush import BrushTool
+from app.tools.fibre import FibreTool
 from app.tools.fill import FillTool
 from app.tools.lasso import LassoTool
 from app.tools.select import SelectTool
 from app.tools.tool import Tool
+from ui.panels.actions.panel import ActionsPanel
 from ui.panels.expression_panel import ExpressionPanel
+from ui.panels.muscles.panel import MusclesPanel
 from ui.panels.tissue.panel import TissuePanel
 from ui.viewport.overlays.cursor import BrushRing
+from ui.viewport.overlays.fibre_ghost import FibreGhost, MusclesInSight
 from ui.viewport.overlays.glyphs import Glyphs
+from ui.viewport.overlays.handles import MuscleHandles
 from ui.viewport.overlays.lasso import LassoOutline, RegionOutlines
 from ui.viewport.overlays.layer import LayerDrawing
 from ui.workspaces.workspace import Parts, WorkspaceKind
@@ -18,6 +23,24 @@ from ui.workspaces.workspace import Parts, WorkspaceKind
 
 def _expression_panel(parts: Parts) -> ExpressionPanel:
     return ExpressionPanel(parts.context.document, parts.context.view)
+
+
+def _actions_panel(parts: Parts) -> ActionsPanel:
+    panel = ActionsPanel(parts.context)
+    panel.muscles_hovered.connect(parts.viewport.glow)
+    return panel
+
+
+def _muscles_panel(parts: Parts) -> MusclesPanel:
+    panel = MusclesPanel(parts.context, parts.toolbox)
+    panel.muscles_hovered.connect(parts.viewport.glow)
+    return panel
+
+
+def _prepare_solver(parts: Parts) -> None:
+    """A living solver, so that the first edit is as quick as all others."""
+    if parts.context.document.solution is not None:
+        parts.context.solving.prepare()
 
 
 def _tissue_panel(parts: Parts) -> TissuePanel:
@@ -28,12 +51,19 @@ def _prepare_painting(parts: Parts) -> None:
     """Distances on the skin and a living solver, so that the first stroke is as quick as all others."""
     surface = parts.bench.ground.surface(parts.context.document.project.face)
     parts.preparation.begin(lambda: surface.geodesics)
-    if parts.context.document.solution is not None:
-        parts.context.solving.prepare()
+    _prepare_solver(parts)
 
 
 WORKSPACES: tuple[WorkspaceKind, ...] = (
     WorkspaceKind("expression", _expression_panel, (SelectTool,)),
+    WorkspaceKind("actions", _actions_panel, (SelectTool,), prepare=_prepare_solver),
+    WorkspaceKind(
+        "muscles",
+        _muscles_panel,
+        (SelectTool, FibreTool),
+        (MusclesInSight, MuscleHandles, FibreGhost),
+        _prepare_solver,
+    ),
     WorkspaceKind(
         "tissue",
         _tissue_panel,

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QMessageBox
 
 from tests.ui.hands import enter, leave
 from tests.ui.window.seen import differs, picture
-from ui.panels.muscle_list import muscle_label
+from ui.panels.muscle_text import muscle_label
 
 Button = QMessageBox.StandardButton
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -58,9 +58,12 @@ def test_a_switch_of_the_toolbar_is_seen_and_unseen(window, overlay):
 
 def test_influence_asks_for_a_muscle_and_shows_the_one_chosen(window, project):
     QTest.keyClick(window, Qt.Key.Key_I)
-    assert window.docks["muscles"].isVisible()
+    assert window.context.view.state.workspace == "muscles"
     before = picture(window)
-    window.muscles.list.setCurrentIndex(window.muscles.list.model().index(3, 0))
+    tree = window.panels.panel("muscles").tree
+    row, column = tree.item_of(project.muscles[3].key)
+    QTest.mouseClick(tree.viewport(), Qt.MouseButton.LeftButton, pos=tree.visualItemRect(row).center())
+    tree.setCurrentItem(row, column)
     assert window.context.view.state.muscle == project.muscles[3].key
     assert differs(picture(window), before)
 

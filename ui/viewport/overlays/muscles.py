@@ -71,7 +71,7 @@ class MusclesOverlay(Overlay):
         active = activations(drawn.project, drawn.expression)
         keys = [muscle.key for muscle in self._muscles]
         pull = np.array([active.get(key, 0.0) for key in keys])
-        chosen = np.array([key == drawn.muscle or key in drawn.glowing for key in keys])
+        chosen = np.array([key == drawn.muscle or key in drawn.others | drawn.glowing for key in keys])
         at = pull[self._owner][:, None]
         colour = self._base * (REST + (FULL - REST) * at)
         colour += (np.array(HOT) - colour) * 0.45 * at

@@ -21,6 +21,7 @@ class Drawn:
     figure : the face as it is drawn
     expression : the weights it is posed with
     muscle : key of the selected muscle; empty for none
+    others : keys of those that are selected with it
     glowing : keys of the muscles under the pointer
     half_height : half the height of the picture at the head, millimetres
     """
@@ -29,6 +30,7 @@ class Drawn:
     figure: Figure
     expression: Expression
     muscle: str = ""
+    others: frozenset[str] = frozenset()
     glowing: frozenset[str] = frozenset()
     half_height: float = 150.0
 

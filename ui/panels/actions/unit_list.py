@@ -1,0 +1,191 @@
+"""The list of action units, in the groups of FACS; one of them is being worked on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent, QPainter
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTreeWidget,
+    QTreeWidgetItem,
+)
+
+from app.document import Document
+from app.view import View
+from app.view_state import ViewState
+from facemodel.actions import GROUP_TITLES, ActionUnit
+from ui.panels.unit_text import muscle_titles, unit_matches, unit_title
+from ui.theme.apply import current_theme, interface_font
+from ui.theme.colour import blend
+from ui.theme.metrics import GRID, ROW, SMALL_TYPE
+
+NUMBER = Qt.ItemDataRole.UserRole + 1
+EMPTY = Qt.ItemDataRole.UserRole + 2
+"""Whether a unit moves nothing yet."""
+
+NUMBER_WIDTH = 4 * GRID
+
+Cell = QModelIndex | QPersistentModelIndex
+SELECTED, HOVERED = QStyle.StateFlag.State_Selected, QStyle.StateFlag.State_MouseOver
+
+
+class UnitCells(QStyledItemDelegate):
+    """Draws a heading, or number and name; a unit that moves nothing recedes."""
+
+    def sizeHint(self, _option: QStyleOptionViewItem, _index: Cell) -> QSize:
+        """One row of any width."""
+        return QSize(0, ROW)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Cell) -> None:
+        """Draw one row."""
+        theme, area, number = current_theme(), QRectF(option.rect), index.data(NUMBER)
+        words = index.data(Qt.ItemDataRole.DisplayRole)
+        painter.save()
+        centre = Qt.AlignmentFlag.AlignVCenter
+        if number is None:
+            painter.setFont(interface_font(SMALL_TYPE))
+            painter.setPen(QColor(theme.muted))
+            painter.drawText(area.adjusted(GRID, 0, -GRID, 0), centre | Qt.AlignmentFlag.AlignLeft, words.upper())
+        else:
+            if option.state & SELECTED:
+                painter.fillRect(area, blend(theme.window, theme.accent, 0.32))
+            elif option.state & HOVERED:
+                painter.fillRect(area, QColor(theme.hover))
+            painter.setPen(QColor(theme.muted))
+            painter.drawText(QRectF(area.x(), area.y(), NUMBER_WIDTH, area.height()), centre | RIGHT, str(number))
+            painter.setPen(QColor(theme.muted if index.data(EMPTY) else theme.text))
+            room = area.adjusted(NUMBER_WIDTH + GRID, 0, -GRID, 0)
+            name = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))
+            painter.drawText(room, centre | Qt.AlignmentFlag.AlignLeft, name)
+        painter.restore()
+
+
+RIGHT = Qt.AlignmentFlag.AlignRight
+
+
+class UnitList(QTreeWidget):
+    """Binds the action unit in hand to a list, both ways.
+
+    Signals
+    -------
+    hovered(object) : the ActionUnit under the pointer, or None
+    deleted(), renamed() : the keys Delete and F2 were pressed
+    """
+
+    hovered = Signal(object)
+    deleted = Signal()
+    renamed = Signal()
+
+    def __init__(self, document: Document, view: View) -> None:
+        super().__init__()
+        self._document, self._view = document, view
+        self._query = ""
+        self._listed: list[tuple[int, str, str]] = []
+        self.setHeaderHidden(True)
+        self.setIndentation(0)
+        self.setRootIsDecorated(False)
+        self.setUniformRowHeights(True)
+        self.setMouseTracking(True)
+        self.setAccessibleName("Action units")
+        self.setItemDelegate(UnitCells(self))
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.show_units()
+        self.currentItemChanged.connect(self._choose)
+        self.itemEntered.connect(lambda item, _column: self.hovered.emit(self._unit(item.data(0, NUMBER))))
+        document.project_changed.connect(lambda _project: self.show_units())
+        document.units_changed.connect(lambda _numbers: self.show_units())
+        view.changed.connect(self._follow)
+
+    def show_units(self) -> None:
+        """List the units anew, if any of them is listed otherwise."""
+        units = self._document.project.units
+        listed = [(unit.number, unit.name, unit.group) for unit in units]
+        if listed != self._listed:
+            self._listed = listed
+            self._fill()
+        rows = {item.data(0, NUMBER): item for item in self._rows()}
+        for unit in units:
+            rows[unit.number].setData(0, EMPTY, not unit.muscles and unit.jaw is None)
+        self.filter(self._query)
+        self._mark(self._view.state.unit)
+
+    def filter(self, query: str) -> None:
+        """Show the units that a search means, by number, name or muscle."""
+        self._query = query
+        titles = muscle_titles(self._document.project.muscles)
+        for place in range(self.topLevelItemCount()):
+            heading = self.topLevelItem(place)
+            shown = 0
+            for k in range(heading.childCount()):
+                unit = self._unit(heading.child(k).data(0, NUMBER))
+                fits = unit is not None and unit_matches(query, unit, titles)
+                heading.child(k).setHidden(not fits)
+                shown += fits
+            heading.setHidden(not shown)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Delete and F2 mean the unit, the rest moves through the list."""
+        if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self.deleted.emit()
+        elif event.key() == Qt.Key.Key_F2:
+            self.renamed.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def leaveEvent(self, event: object) -> None:
+        """Nothing is under the pointer any more."""
+        super().leaveEvent(event)  # type: ignore[arg-type]
+        self.hovered.emit(None)
+
+    def row_of(self, number: int) -> QTreeWidgetItem | None:
+        """The row of a unit."""
+        return next((item for item in self._rows() if item.data(0, NUMBER) == number), None)
+
+    def _fill(self) -> None:
+        self.blockSignals(True)
+        self.clear()
+        for group, title in GROUP_TITLES.items():
+            units = [unit for unit in self._document.project.units if unit.group == group]
+            if not units:
+                continue
+            heading = QTreeWidgetItem(self, [title])
+            heading.setFlags(Qt.ItemFlag.ItemIsEnabled)
+            for unit in units:
+                row = QTreeWidgetItem(heading, [unit_title(unit)])
+                row.setData(0, NUMBER, unit.number)
+            heading.setExpanded(True)
+        self.blockSignals(False)
+
+    def _rows(self) -> Iterator[QTreeWidgetItem]:
+        for place in range(self.topLevelItemCount()):
+            heading = self.topLevelItem(place)
+            yield from (heading.child(k) for k in range(heading.childCount()))
+
+    def _unit(self, number: int | None) -> ActionUnit | None:
+        return next((unit for unit in self._document.project.units if unit.number == number), None)
+
+    def _choose(self, item: QTreeWidgetItem | None) -> None:
+        if item is not None and item.data(0, NUMBER) is not None:
+            self._view.change(unit=item.data(0, NUMBER))
+
+    def _follow(self, now: ViewState, before: ViewState) -> None:
+        if now.unit != before.unit:
+            self._mark(now.unit)
+
+    def _mark(self, number: int | None) -> None:
+        self.blockSignals(True)
+        row = self.row_of(number) if number is not None else None
+        if row is None:
+            self.clearSelection()
+            self.setCurrentItem(None)
+        else:
+            self.setCurrentItem(row)
+            self.scrollToItem(row)
+        self.blockSignals(False)
+        self.viewport().update()
