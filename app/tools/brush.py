@@ -14,7 +14,6 @@ from app.view_state import Workspace
 from facemodel.face import Face
 from facemodel.painting.brush import Mode
 from facemodel.painting.geodesic import SurfacePoint
-from facemodel.painting.layers import PaintLayer
 from facemodel.painting.stroke import Stroke, Touch
 from fem.types import BoolArray
 
@@ -113,7 +112,8 @@ class BrushTool(Tool):
             self.bench.sight.working_changed.emit(Working(self._stroke.layer.key, touch.vertices, touch.values))
 
     def _pick(self, hit: Hit) -> None:
-        self.bench.brush.set_value(value_at(self.bench.brush.state.paint_layer, self._face, hit))
+        layer, face = self.bench.brush.state.paint_layer, self._face
+        self.bench.brush.set_value(layer.picked(face.layers, face.skin, SurfacePoint(hit.triangle, hit.barycentric)))
 
     def _redraw_ring(self) -> None:
         state, hit = self.bench.brush.state, self._last
@@ -125,14 +125,6 @@ class BrushTool(Tool):
             other = self.bench.ground.mirrored(self._face, point)
             mirrored = skin_hit(self._face, other.triangle, other.barycentric)
         self.bench.sight.ring_changed.emit(Ring(hit, mirrored, state.radius, state.hardness))
-
-
-def value_at(layer: PaintLayer, face: Face, hit: Hit) -> float:
-    """The value of a layer at a place: of amounts between the vertices, of angles and choices at the nearest one."""
-    values = layer.values(face.layers, face.skin)
-    if layer.kind != "amount":
-        return float(values[hit.vertex])
-    return float(hit.barycentric @ values[face.skin.triangles[hit.triangle]])
 
 
 def _lower(title: str) -> str:
