@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from app.authoring.bare import bare_project
 from app.commands import Command, ReplaceProject, set_weights
 from app.commands.edit import edit
 from app.differences import Changes, changes, same_content
@@ -209,6 +210,10 @@ class Document(DocumentSignals):
     def new(self, face_key: str) -> None:
         """Begin a project on one of the shipped faces; history and file are forgotten."""
         self._begin(new_project(face_key), None)
+
+    def new_bare(self, face_key: str) -> None:
+        """Begin a project on the head of a shipped face, with no muscle, no paint and no action unit."""
+        self._begin(bare_project(face_key), None)
 
     def open(self, path: Path) -> None:
         """Read a project; if that fails all stays as it was."""

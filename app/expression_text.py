@@ -7,9 +7,11 @@ from collections.abc import Sequence
 
 from app.arithmetic import evaluate
 from app.errors import NumberError
+from app.intensity import parse_code
 from facemodel.actions import ActionUnit, Expression, field_names, resolve
 
 NEUTRAL = "neutral"
+SCORE = re.compile(r"\s*[LR]?\d+[LR]?([A-E]\s*(\+|$)|\s*\+)", re.IGNORECASE)
 PAIR = re.compile(r"\s*([^=]+?)\s*[=:]\s*([^\s;=]+?)(?:[\s;]+|,(?=\s|$)|$)")
 
 
@@ -23,7 +25,8 @@ def format_expression(expression: Expression, units: Sequence[ActionUnit]) -> st
 def parse_expression(text: str, units: Sequence[ActionUnit]) -> dict[str, float]:
     """Weights by field from pairs such as ``12=0.8``, ``AU1L=50%`` or ``lip corner puller R = 1/2``.
 
-    Pairs are separated by white space, semicolons or commas; a later one overrides an earlier one.
+    Pairs are separated by white space, semicolons or commas; a later one overrides an earlier one.  A text without
+    pairs may be a score of FACS, such as ``1B+2C+L12D``.
 
     Raises
     ------
@@ -34,6 +37,8 @@ def parse_expression(text: str, units: Sequence[ActionUnit]) -> dict[str, float]
     """
     if text.strip().lower() == NEUTRAL:
         return {}
+    if "=" not in text and ":" not in text and SCORE.match(text):
+        return parse_code(text, units)
     weights: dict[str, float] = {}
     place = 0
     while text[place:].strip():

@@ -25,6 +25,8 @@ def _emotion(emotion: Emotion, place: int) -> Action:
     recipe = " + ".join(emotion.weights)
 
     def shown(context: Context) -> bool:
+        if emotion not in context.document.project.emotions:
+            return False
         weights = emotion_weights(emotion.name, 1.0, context.document.project)
         return {name for name in weights.items() if name[1]} == set(context.document.shown.items())
 

@@ -8,6 +8,7 @@ from app.actions.action import Action
 from app.actions.context import Context, FileQuestion
 from app.actions.exporting import EXPORT_ACTIONS
 from app.actions.paths import folder, with_suffix
+from app.actions.scripts import RUN_SCRIPT
 from facemodel.errors import ProjectError
 from facemodel.faces import face_keys
 
@@ -80,9 +81,28 @@ def new_actions() -> tuple[Action, ...]:
     )
 
 
+def bare_actions() -> tuple[Action, ...]:
+    """One action for each face whose head a project can begin with, without muscles, paint and action units."""
+    return tuple(
+        Action(
+            f"file.new-bare.{key}",
+            key.capitalize(),
+            lambda context, key=key: _new_bare(context, key),  # type: ignore[misc]
+            menu=("File", "New bare head"),
+            hint=f"Begin with the head of {key.capitalize()} and nothing else: no muscle, no paint, no action unit",
+        )
+        for key in face_keys()
+    )
+
+
 def _new(context: Context, key: str) -> None:
     if may_leave(context):
         context.document.new(key)
+
+
+def _new_bare(context: Context, key: str) -> None:
+    if may_leave(context):
+        context.document.new_bare(key)
 
 
 def _open(context: Context) -> None:
@@ -141,6 +161,7 @@ FILE_ACTIONS = (
         hint="Save the project to another file",
     ),
     *EXPORT_ACTIONS,
+    RUN_SCRIPT,
     Action(
         "file.quit",
         "Quit",

@@ -6,7 +6,7 @@ from app.actions.action import Action
 from app.actions.content import content_actions
 from app.actions.context import Context
 from app.actions.edit import EDIT_ACTIONS
-from app.actions.files import FILE_ACTIONS, new_actions, recent_actions
+from app.actions.files import FILE_ACTIONS, bare_actions, new_actions, recent_actions
 from app.actions.looking import LOOKING_ACTIONS
 from app.actions.solving import SOLVING_ACTIONS, face_actions
 from app.actions.window import WINDOW_ACTIONS
@@ -19,6 +19,7 @@ def all_actions(context: Context) -> tuple[Action, ...]:
     """Everything that can be done, in the order of the menus; other after any of `table_signals`."""
     return (
         *new_actions(),
+        *bare_actions(),
         *recent_actions(context),
         *FILE_ACTIONS,
         *EDIT_ACTIONS,

@@ -11,6 +11,7 @@ class Desk:
     """A person at a window: answers as it was told, and writes down what the window was asked to do."""
 
     path: Path | None = None
+    script: Path | None = None
     answer: Answer = "cancel"
     text: str = ""
     questions: list[FileQuestion | str] = field(default_factory=list)
@@ -20,7 +21,7 @@ class Desk:
 
     def ask_path(self, question: FileQuestion) -> Path | None:
         self.questions.append(question)
-        return self.path
+        return self.script if question.suffix == ".py" else self.path
 
     def ask_unsaved(self, name: str) -> Answer:
         self.questions.append(name)

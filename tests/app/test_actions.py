@@ -47,8 +47,11 @@ def test_every_action_can_be_done(context: Context, desk: Desk, file: Path) -> N
     save_project(context.document.project, file)
     desk.path, desk.answer, desk.text = file, "discard", "12=0.5"
     context.settings.remember(file)
+    desk.script = file.with_suffix(".py")
+    desk.script.write_text("print(len(units()))")
     for action in all_actions(context):
-        perform(action, context)
+        if any(action.id == now.id for now in all_actions(context)):
+            perform(action, context)
     assert desk.errors == []
 
 
