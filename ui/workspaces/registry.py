@@ -38,9 +38,18 @@ def _muscles_panel(parts: Parts) -> MusclesPanel:
 
 
 def _prepare_solver(parts: Parts) -> None:
-    """A living solver, so that the first edit is as quick as all others."""
-    if parts.context.document.solution is not None:
-        parts.context.solving.prepare()
+    """A living solver, so that the first edit is as quick as all others; as soon as there is a face to show."""
+    document, solving = parts.context.document, parts.context.solving
+    if document.solution is not None:
+        solving.prepare()
+        return
+
+    def once(solution: object) -> None:
+        if solution is not None:
+            document.solution_changed.disconnect(once)
+            solving.prepare()
+
+    document.solution_changed.connect(once)
 
 
 def _tissue_panel(parts: Parts) -> TissuePanel:

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
 
 import igl
 import numpy as np
 
+from facemodel.display import DisplaySurface
 from facemodel.mesh import Mesh
-from fem.types import FloatArray, IntArray
+from facemodel.muscles import Muscle
+from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.muscle_fields import activations
 from ui.viewport.overlays.bands import Band, band
 from ui.viewport.overlays.glow import ACCENT
@@ -45,20 +49,18 @@ class MusclesOverlay(Overlay):
         self._muscles = [muscle for muscle in drawn.project.muscles if muscle.fibres or muscle.ring is not None]
         if not self._muscles:
             return
-        bands = [band(muscle, skin) for muscle in self._muscles]
-        sizes = [b.points.shape[0] * b.points.shape[1] for b in bands]
+        display = drawn.figure.posed.basis.display
+        laid = [_laid(muscle, skin, display) for muscle in self._muscles]
+        sizes = [len(each.points) for each in laid]
         first = np.cumsum([0, *sizes])
-        self._rest = np.concatenate([b.points.reshape(-1, 3) for b in bands])
-        triangles = np.concatenate([b.triangles + k for b, k in zip(bands, first, strict=False)])
-        self._owner = np.repeat(np.arange(len(bands)), sizes)
-        self._base = np.concatenate(
-            [_colours(b, GROUPS.get(m.group, OTHER)) for b, m in zip(bands, self._muscles, strict=True)]
-        )
-        self._share = np.concatenate([np.tile(b.along**2, b.points.shape[0]) for b in bands])
-        self._anchor = _nearest(self._rest, drawn)
-        self._anchored = drawn.figure.posed.basis.display.points
-        normals = _outward(Mesh(self._rest, triangles), self._rest, drawn)
-        self._normals = normals.astype(np.float32)
+        self._rest = np.concatenate([each.points for each in laid])
+        triangles = np.concatenate([each.triangles + k for each, k in zip(laid, first, strict=False)])
+        self._owner = np.repeat(np.arange(len(laid)), sizes)
+        self._base = np.concatenate([each.colours for each in laid])
+        self._share = np.concatenate([each.share for each in laid])
+        self._anchor = np.concatenate([each.anchor for each in laid])
+        self._anchored = display.points
+        self._normals = np.concatenate([each.normals for each in laid])
         colours = np.full((len(self._rest), 4), 255, dtype=np.uint8)
         self._surface = Surface(self._rest.astype(np.float32), self._normals, triangles, colours)
         apply(self._surface.actor, BAND)
@@ -95,18 +97,61 @@ def _colours(shape: Band, group: tuple[float, float, float]) -> FloatArray:
     return np.asarray((colour + (np.array(TENDON) - colour) * (0.7 * pale)[None, :, None]).reshape(-1, 3))
 
 
-def _nearest(places: FloatArray, drawn: Drawn) -> IntArray:
+@dataclass(frozen=True, eq=False)
+class Laid:
+    """One muscle as it lies under the resting skin.
+
+    Attributes
+    ----------
+    points, normals, colours : (n, 3) of its band
+    triangles : (t, 3)
+    share : (n,) how far each point goes with the skin
+    anchor : (n,) the drawn point that it goes with
+    """
+
+    points: FloatArray
+    normals: Float32Array
+    colours: FloatArray
+    triangles: IntArray
+    share: FloatArray
+    anchor: IntArray
+
+
+@lru_cache(maxsize=256)
+def _laid(muscle: Muscle, skin: Mesh, display: DisplaySurface) -> Laid:
+    """One muscle; remembered, so that of many only the one that changed is laid anew."""
+    shape = band(muscle, skin)
+    points = shape.points.reshape(-1, 3)
+    anchor = _nearest(points, display)
+    return Laid(
+        points,
+        _outward(Mesh(points, shape.triangles), display.normals[anchor]).astype(np.float32),
+        _colours(shape, GROUPS.get(muscle.group, OTHER)),
+        shape.triangles,
+        np.tile(shape.along**2, shape.points.shape[0]),
+        anchor,
+    )
+
+
+def _nearest(places: FloatArray, display: DisplaySurface) -> IntArray:
     """The drawn point nearest to each place."""
-    display = drawn.figure.posed.basis.display
-    points = display.points.astype(np.float64)
-    _, element, nearest = igl.point_mesh_squared_distance(np.ascontiguousarray(places), points, display.triangles)
-    corners = display.triangles[element]
-    closest = np.linalg.norm(points[corners] - nearest[:, None], axis=2).argmin(axis=1)
+    tree, points = _tree(display)
+    _, element, nearest = tree.squared_distance(points, display.triangles, np.ascontiguousarray(places))
+    corners = display.triangles[np.reshape(element, -1)]
+    closest = np.linalg.norm(points[corners] - np.reshape(nearest, (-1, 1, 3)), axis=2).argmin(axis=1)
     return np.asarray(corners[np.arange(len(corners)), closest])
 
 
-def _outward(mesh: Mesh, places: FloatArray, drawn: Drawn) -> FloatArray:
-    """Normals (n, 3) of the bands, turned to the side of the skin."""
-    towards = drawn.figure.posed.basis.display.normals[_nearest(places, drawn)]
+@lru_cache(maxsize=2)
+def _tree(display: DisplaySurface) -> tuple[igl.AABB, FloatArray]:
+    """What finds the nearest places of the drawn skin at rest, and its points."""
+    points = np.ascontiguousarray(display.points, dtype=np.float64)
+    tree = igl.AABB()
+    tree.init(points, display.triangles)
+    return tree, points
+
+
+def _outward(mesh: Mesh, towards: Float32Array) -> FloatArray:
+    """Normals (n, 3) of a band, turned to the side of the skin, whose normals are (n, 3) beside it."""
     side = np.sign(np.einsum("nc,nc->n", mesh.normals, towards))
     return np.asarray(mesh.normals * np.where(side == 0, 1.0, side)[:, None])
