@@ -20,6 +20,8 @@ from fem.types import FloatArray
 PARALLEL_SINE = 1e-6
 # Rounding allowed in the eigenvalues of a positive semidefinite form, as a share of its largest one.
 SEMIDEFINITE_SHARE = 1e-12
+# Below this a share of a form underflows, and its rounding cannot be told from zero.
+SMALLEST_FORM = 1e-300
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +102,8 @@ def _semidefinite(forms: FloatArray) -> FloatArray:
     size = np.abs(safe).max(axis=(-2, -1))
     skew = np.abs(safe - np.swapaxes(safe, -2, -1)).max(axis=(-2, -1))
     least = np.linalg.eigvalsh(safe)[..., 0]
-    return np.asarray(finite & (skew <= SEMIDEFINITE_SHARE * size) & (least >= -SEMIDEFINITE_SHARE * size))
+    allowed = SEMIDEFINITE_SHARE * size + SMALLEST_FORM
+    return np.asarray(finite & (skew <= allowed) & (least >= -allowed))
 
 
 def uniform_material(n_vertices: int, stretching: float, bending: float) -> Material:
