@@ -12,7 +12,7 @@ from app.tools.pointer import Hit, Modifier, Pointer, Ray, skin_hit, skull_hit
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.laying.places import Bone
-from fem.types import BoolArray, FloatArray
+from fem.types import BoolArray, FloatArray, IntArray
 from ui.viewport.overlays.overlay import Drawn
 from ui.viewport.overlays.supports import points_of_vertices
 from ui.viewport.pick import Hit as DrawnHit
@@ -48,6 +48,7 @@ class ToolSight:
         self._scene = scene
         self.scale = 1.0
         """Pixels of the picture in one of the window."""
+        self._known: tuple[Drawn, igl.AABB, tuple[FloatArray, IntArray]] | None = None
 
     def pointer(
         self,
@@ -64,7 +65,7 @@ class ToolSight:
             return Pointer(x, y, modifiers=held, pressure=pressure)
         column, row = self._in_picture(x, y)
         ray = Ray(*ray_through(self._scene.renderer, column, row))
-        hit = self._scene.pick(column, row)
+        hit = self._first(drawn, ray) or self._scene.pick(column, row)
         skin = None if hit is None else skin_hit(drawn.project.face, *self._at_rest(drawn, hit))
         skull = self._bone(drawn, ray) if asks_skull else None
         reach = TIP * self.millimetres(None if hit is None else hit.place)
@@ -91,14 +92,35 @@ class ToolSight:
         normals = posed.normals[vertices].astype(np.float64)
         towards = self._towards_eye(places)
         seen = np.einsum("ij,ij->i", towards, normals) > 0
-        mesh = posed.points.astype(np.float64), posed.basis.display.triangles
-        tree = igl.AABB()
-        tree.init(*mesh)
+        tree, mesh = self._tree(drawn)
         lines = np.flatnonzero(seen)
         starts = places[lines] + CLEAR * normals[lines]
         met, _, _ = tree.intersect_ray_first(*mesh, starts, np.ascontiguousarray(towards[lines]))
         seen[lines] = met < 0
         return self._on_screen(places) / self.scale, seen
+
+    def _tree(self, drawn: Drawn) -> tuple[igl.AABB, tuple[FloatArray, IntArray]]:
+        """The skin as it is posed now, ready to be met by lines of sight; made once for every pose."""
+        if self._known is None or self._known[0] is not drawn:
+            mesh = drawn.figure.posed.points.astype(np.float64), drawn.figure.posed.basis.display.triangles
+            tree = igl.AABB()
+            tree.init(*mesh)
+            self._known = drawn, tree, mesh
+        return self._known[1], self._known[2]
+
+    def _first(self, drawn: Drawn, ray: Ray) -> DrawnHit | None:
+        """What a line of sight meets first, if it meets it from outside."""
+        tree, (points, triangles) = self._tree(drawn)
+        met, _, shares = tree.intersect_ray_first(points, triangles, ray.origin[None], ray.along[None])
+        triangle = int(met[0])
+        if triangle < 0:
+            return None
+        a, b, c = points[triangles[triangle]]
+        if np.cross(b - a, c - a) @ ray.along >= 0:
+            return None
+        share = np.array([1 - shares[0, 0] - shares[0, 1], shares[0, 0], shares[0, 1]])
+        place = share @ np.array([a, b, c])
+        return DrawnHit(triangle, share, place, int(triangles[triangle, share.argmax()]))
 
     def _in_picture(self, x: float, y: float) -> tuple[float, float]:
         return x * self.scale, self._scene.renderer.GetSize()[1] - 1 - y * self.scale

@@ -32,6 +32,7 @@ class WorkspacePanels(QStackedWidget):
         self._drawings: dict[Workspace, tuple[Drawing, ...]] = {}
         self._open: WorkspaceKind | None = None
         parts.context.view.changed.connect(self._follow)
+        parts.context.document.project_changed.connect(self._prepare)
 
     @property
     def open(self) -> WorkspaceKind | None:
@@ -55,8 +56,7 @@ class WorkspacePanels(QStackedWidget):
         panel = self.panel(workspace)
         if first and self._open.tools:
             self._parts.toolbox.take(self._open.tools[0].id)
-        if self._open.prepare is not None:
-            self._open.prepare(self._parts)
+        self._prepare()
         for other in self._panels.values():
             # A hidden page must not keep the dock wide for the one that is shown.
             asked = QSizePolicy.Policy.Preferred if other is panel else QSizePolicy.Policy.Ignored
@@ -66,6 +66,10 @@ class WorkspacePanels(QStackedWidget):
             drawing.switch(True)
         self._parts.viewport.canvas.ask_frame()
         self.opened.emit(self._open)
+
+    def _prepare(self, *_now: object) -> None:
+        if self._open is not None and self._open.prepare is not None:
+            self._open.prepare(self._parts)
 
     def _drawings_of(self, kind: WorkspaceKind) -> tuple[Drawing, ...]:
         if kind.id not in self._drawings:

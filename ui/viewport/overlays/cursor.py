@@ -12,24 +12,23 @@ from facemodel.face import Face
 from facemodel.painting.geodesic import SurfacePoint
 from facemodel.painting.surface import PaintSurface
 from fem.types import Float32Array, FloatArray
-from ui.viewport.overlays.iso_lines import Lines, crossings
+from ui.viewport.overlays.iso_lines import Crossings, Lines, crossings, drawn_on
 from ui.viewport.overlays.overlay import Drawn
 from ui.workspaces.workspace import Parts
 
-OUTER, CORE, IMAGE = (1.0, 1.0, 1.0), (1.0, 1.0, 1.0), (0.85, 0.85, 0.85)
-SHADOW = (0.05, 0.05, 0.06)
+OUTER, CORE, IMAGE = (1.0, 1.0, 1.0), (0.80, 0.80, 0.80), (0.80, 0.80, 0.80)
+SHADOW = (0.16, 0.15, 0.16)
 AROUND = 48
 ABOVE = 0.3
 """Millimetres by which the ring lies above the skin; its shadow is below it."""
 
-FAR, SHORT = 1e9, 1e-6
-"""Millimetres: beyond every face, and less than between any two places that are told apart."""
+SHORT = 1e-6
+"""Millimetres; less than between any two places that are told apart."""
 
-BEYOND, MARGIN = 1.3, 8.0
-"""Distances are asked for beyond the radius by this factor and millimetres, so that every triangle that the ring runs
-through has values at all of its corners."""
+BEYOND = 1.5
+"""Distances are asked for beyond the radius by this factor, so that there are some on both sides of the ring."""
 
-FLAT = 3.0
+FLAT = 5.0
 """Millimetres; a ring smaller than this lies within a triangle or two, and skin is as good as flat there."""
 
 
@@ -41,10 +40,10 @@ class BrushRing:
         self._ground: Ground = parts.bench.ground
         self._ring: Ring | None = None
         self._lines = {
-            "shadow": Lines(SHADOW, 4.0, 0.45, nearer=2.0),
+            "shadow": Lines(SHADOW, 3.6, nearer=2.0),
             "outer": Lines(OUTER, 1.8, nearer=40.0),
-            "core": Lines(CORE, 1.2, 0.55),
-            "image": Lines(IMAGE, 1.2, 0.7),
+            "core": Lines(CORE, 1.2),
+            "image": Lines(IMAGE, 1.2),
         }
         self._on = False
         parts.bench.sight.ring_changed.connect(self._take)
@@ -84,22 +83,24 @@ def _circle(surface: PaintSurface, drawn: Drawn, hit: Hit, radius: float) -> Flo
     face, posed = drawn.project.face, drawn.figure.posed
     if radius < FLAT or "geodesics" not in vars(surface):
         return _flat(face, posed.points, posed.normals, posed.basis.display, hit, radius)
-    point = SurfacePoint(hit.triangle, hit.barycentric)
-    ball = surface.geodesics.within(point, BEYOND * radius + MARGIN)
+    display, reach = posed.basis.display, BEYOND * radius
+    ball = surface.geodesics.within(SurfacePoint(hit.triangle, hit.barycentric), reach)
     # Triangles of the skin are coarse, and distance is far from linear on them; how much longer the way on the skin is
-    # than through the air is nearly so.
-    longer = np.full(len(face.skin.positions), np.inf)
-    through = np.linalg.norm(face.skin.positions[ball.vertices] - hit.position, axis=1)
-    longer[ball.vertices] = np.maximum(ball.distances / np.maximum(through, SHORT), 1.0)
-    display = posed.basis.display
-    corners = face.skin.triangles[display.elements]
-    near = np.isfinite(longer[corners]).all(axis=1)
-    at = np.full(len(corners), FAR)
-    factor = np.einsum("pk,pk->p", display.barycentric[near], longer[corners[near]])
-    at[near] = factor * np.linalg.norm(display.points[near] - hit.position, axis=1)
-    # Beyond the ball nothing is known, so no line may run there.
-    triangles = display.triangles[near[display.triangles].all(axis=1)]
-    return crossings(at, triangles, np.array([radius])).on(posed.points, posed.normals, ABOVE)
+    # than through the air is nearly so.  Beyond the ball it is at least as long as that is wide.
+    through = np.maximum(np.linalg.norm(face.skin.positions - hit.position, axis=1), SHORT)
+    away = np.full(len(through), reach)
+    away[ball.vertices] = ball.distances
+    longer = np.maximum(away / through, 1.0)
+    inside = np.zeros(len(through), dtype=np.bool_)
+    inside[ball.vertices] = True
+    triangles = drawn_on(display, np.flatnonzero(inside[face.skin.triangles].any(axis=1)))
+    points, local = np.unique(triangles, return_inverse=True)
+    air = np.linalg.norm(display.points[points] - hit.position, axis=1)
+    corners = face.skin.triangles[display.elements[points]]
+    at = air * np.einsum("pk,pk->p", display.barycentric[points], longer[corners])
+    found = crossings(at, local.reshape(-1, 3), np.array([radius]))
+    ends = Crossings(points[found.one], points[found.other], found.share)
+    return ends.on(posed.points, posed.normals, ABOVE)
 
 
 def _flat(

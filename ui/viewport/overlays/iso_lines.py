@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
+from facemodel.display import DisplaySurface
 from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.surface import cells
 
@@ -63,6 +64,13 @@ def _at_level(values: FloatArray, triangles: IntArray, level: float) -> tuple[In
 def _nothing() -> tuple[IntArray, IntArray, FloatArray]:
     empty = np.zeros(0, dtype=np.int64)
     return empty, empty, np.zeros(0)
+
+
+def drawn_on(display: DisplaySurface, elements: IntArray) -> IntArray:
+    """Drawn triangles (n, 3) that some triangles of the skin are cut into."""
+    each = display.density**2
+    rows: IntArray = (elements[:, None] * each + np.arange(each)).ravel()
+    return np.asarray(display.triangles[rows])
 
 
 class Lines:

@@ -13,7 +13,7 @@ from facemodel.face import Face
 from facemodel.painting.layers import LAYER, PaintLayer
 from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.overlays.change import change_legend, change_paint
-from ui.viewport.overlays.iso_lines import Crossings, Lines, crossings
+from ui.viewport.overlays.iso_lines import Crossings, Lines, crossings, drawn_on
 from ui.viewport.overlays.layer_map import LayerMap, at_drawn, at_some, layer_map
 from ui.viewport.overlays.overlay import Drawn
 from ui.viewport.skin import PAINT
@@ -176,5 +176,5 @@ def _points_about(face: Face, display: DisplaySurface, vertices: IntArray) -> In
     """Drawn points (n,) on triangles of the skin that have one of some vertices as a corner."""
     touched = np.zeros(len(face.skin.positions), dtype=np.bool_)
     touched[vertices] = True
-    elements = touched[face.skin.triangles].any(axis=1)
-    return np.flatnonzero(elements[display.elements])
+    elements = np.flatnonzero(touched[face.skin.triangles].any(axis=1))
+    return np.unique(drawn_on(display, elements))
