@@ -6,15 +6,15 @@ import math
 from collections.abc import Mapping
 
 from app.errors import NumberError
-from facemodel.actions import Expression, field_names, find_emotion, resolve
+from facemodel.actions import EXAGGERATED, Expression, field_names, find_emotion, resolve
 from facemodel.project import Project
 
-LARGEST_WEIGHT = 2.0
-"""How far a slider exaggerates past 1; beyond twice its contraction skin folds and nothing is to be seen."""
+LARGEST_WEIGHT = EXAGGERATED
+"""As far as any slider goes; a unit may stop earlier at its own limit."""
 
 
 def checked_weights(weights: Mapping[str, float], project: Project) -> dict[str, float]:
-    """Weights by field from weights by any name; a later name overrides an earlier one.
+    """Weights by field from weights by any name; a later name overrides an earlier one, and limits of units hold.
 
     Raises
     ------
@@ -24,6 +24,7 @@ def checked_weights(weights: Mapping[str, float], project: Project) -> dict[str,
         If a weight is not a number from 0 to `LARGEST_WEIGHT`.
     """
     known = set(field_names(project.units))
+    limits = {field: unit.limit for unit in project.units for field in unit.fields}
     checked: dict[str, float] = {}
     for name, weight in weights.items():
         if not (math.isfinite(weight) and 0 <= weight <= LARGEST_WEIGHT):
@@ -32,7 +33,7 @@ def checked_weights(weights: Mapping[str, float], project: Project) -> dict[str,
                 f"choose one from 0 (off) over 1 (full) to {LARGEST_WEIGHT:g} (exaggerated)."
             )
         for fld in (name,) if name in known else resolve(name, project.units):
-            checked[fld] = float(weight)
+            checked[fld] = min(float(weight), limits.get(fld, LARGEST_WEIGHT))
     return checked
 
 

@@ -27,6 +27,10 @@ Expression = Mapping[str, float]
 """Weights of field names (``12L``, ``12R``, ``17``); a name that is absent weighs zero."""
 
 
+EXAGGERATED = 2.0
+"""How far a slider goes past 1; beyond twice its contraction skin folds and nothing is to be seen."""
+
+
 @dataclass(frozen=True)
 class JawMotion:
     """What an action unit does to the mandible at activation 1: opening in degrees, slide in millimetres."""
@@ -49,6 +53,7 @@ class ActionUnit:
     jaw : motion of the mandible
     amplitude : largest displacement of the skin at activation 1, millimetres
     note : one line for people
+    limit : the largest weight that its sliders take; 1 is full, `EXAGGERATED` as far as any goes
     """
 
     number: int
@@ -59,6 +64,7 @@ class ActionUnit:
     amplitude: float
     jaw: JawMotion | None = None
     note: str = ""
+    limit: float = EXAGGERATED
 
     @property
     def fields(self) -> tuple[str, ...]:

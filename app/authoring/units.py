@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from app.authoring.renaming import refielded, spelled
 from app.errors import UnitError
-from facemodel.actions import GROUP_TITLES, ActionUnit, Group, JawMotion, resolve
+from facemodel.actions import EXAGGERATED, GROUP_TITLES, ActionUnit, Group, JawMotion, resolve
 from facemodel.errors import UnknownNameError
 from facemodel.project import Project
 
@@ -25,6 +25,9 @@ LARGEST_ACTIVATION = 20.0
 
 WIDEST = 60.0
 """Degrees of opening; no jaw opens wider than 45."""
+
+SMALLEST_LIMIT = 0.05
+"""A slider that goes less far shows nothing."""
 
 FARTHEST = 30.0
 """Millimetres of slide; condyles slide 15."""
@@ -148,6 +151,21 @@ def with_note(project: Project, number: int, note: str) -> Project:
     if len(note) > LONGEST_NOTE:
         raise UnitError(f"The note has {len(note):,} characters; keep it within {LONGEST_NOTE:,}.")
     return with_unit(project, replace(unit_of(project, number), note=note.strip()))
+
+
+def with_limit(project: Project, number: int, limit: float) -> Project:
+    """A project in which the sliders of a unit go no farther than a weight; what is shown goes back to it.
+
+    Raises
+    ------
+    UnitError
+        If the limit is not a number from `SMALLEST_LIMIT` to the largest weight there is.
+    """
+    unit = unit_of(project, number)
+    _check_range("The limit", limit, SMALLEST_LIMIT, EXAGGERATED, "")
+    own = set(unit.fields)
+    expression = {name: min(each, limit) if name in own else each for name, each in project.expression.items()}
+    return with_unit(replace(project, expression=expression), replace(unit, limit=float(limit)))
 
 
 def with_group(project: Project, number: int, group: Group) -> Project:

@@ -60,6 +60,15 @@ class UnitHandle:
         self._do(lambda project: units.with_note(project, self._number, note), "Note of")
 
     @property
+    def limit(self) -> float:
+        """The largest weight that its sliders take."""
+        return self._unit.limit
+
+    @limit.setter
+    def limit(self, limit: float) -> None:
+        self._do(lambda project: units.with_limit(project, self._number, limit), "Limit")
+
+    @property
     def fields(self) -> tuple[str, ...]:
         """Names of its sliders."""
         return self._unit.fields

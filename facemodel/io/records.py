@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from facemodel.actions import ActionUnit, Emotion, JawMotion
+from facemodel.actions import EXAGGERATED, ActionUnit, Emotion, JawMotion
 from facemodel.io.schema import (
     CosineRecord,
     EmotionRecord,
@@ -132,9 +132,9 @@ def _ring_of(record: SphincterRecord) -> Sphincter:
 
 
 def unit_json(unit: ActionUnit) -> dict[str, Any]:
-    """What `UnitRecord` reads."""
+    """What `UnitRecord` reads; a limit that is the usual one is left out."""
     jaw = unit.jaw
-    return {
+    document: dict[str, Any] = {
         "number": int(unit.number),
         "name": unit.name,
         "group": unit.group,
@@ -144,6 +144,9 @@ def unit_json(unit: ActionUnit) -> dict[str, Any]:
         "jaw": None if jaw is None else {"degrees": float(jaw.degrees), "slide": float(jaw.slide)},
         "note": unit.note,
     }
+    if unit.limit != EXAGGERATED:
+        document["limit"] = float(unit.limit)
+    return document
 
 
 def unit_of(record: UnitRecord) -> ActionUnit:
@@ -157,6 +160,7 @@ def unit_of(record: UnitRecord) -> ActionUnit:
         amplitude=record.amplitude,
         jaw=None if record.jaw is None else JawMotion(record.jaw.degrees, record.jaw.slide),
         note=record.note,
+        limit=record.limit,
     )
 
 

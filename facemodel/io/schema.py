@@ -13,6 +13,7 @@ from typing import Annotated, Any, Final, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
+from facemodel.actions import EXAGGERATED
 from facemodel.io.damage import DamageError
 from facemodel.muscles.muscle import Model
 
@@ -173,6 +174,7 @@ class UnitRecord(Record):
     amplitude: Annotated[float, Field(ge=0, le=1e5)]
     jaw: JawMotionRecord | None
     note: Text
+    limit: Annotated[float, Field(gt=0, le=EXAGGERATED)] = EXAGGERATED
 
 
 class EmotionRecord(Record):

@@ -162,6 +162,23 @@ def test_a_note_and_a_group(project: Project) -> None:
         units.with_note(project, 12, "x" * 30_000)
 
 
+def test_the_sliders_of_a_unit_stop_at_its_limit(document: Document) -> None:
+    document.set_weights({"12L": 1.5, "12R": 0.3, "17": 1.5})
+    document.edit(units.with_limit(document.project, 12, 0.8), "Limit")
+    assert document.shown == {"12L": 0.8, "12R": 0.3, "17": 1.5}
+    document.preview({"12": 1.9, "17": 1.9})
+    assert document.shown == {"12L": 0.8, "12R": 0.8, "17": 1.9}
+    document.apply_emotion("happiness", 1.5)
+    assert document.shown == {"12L": 0.8, "12R": 0.8}
+    assert savable(document.project).units == document.project.units
+    for _ in range(4):
+        document.undo()
+    assert units.unit_of(document.project, 12).limit == 2.0
+    for limit in (0.0, 2.1, float("nan")):
+        with pytest.raises(UnitError, match="limit"):
+            units.with_limit(document.project, 12, limit)
+
+
 def test_the_sliders_are_kept_as_an_expression_and_shown_again(document: Document) -> None:
     document.set_weights({"12L": 0.4, "20": 0.3, "17": 0.2})
     document.edit(emotions.with_expression(document.project, "Half a smile", document.shown), "Save expression")

@@ -118,7 +118,7 @@ def test_a_script_may_take_back_its_own_steps_and_no_others(document: Document) 
 def test_units_are_made_and_changed(document: Document) -> None:
     outcome = run_script(
         "twin = au(12).duplicate()\ntwin.name = 'twin'\ntwin.number = 13\ntwin.note = 'a copy'\n"
-        "twin.move_jaw(5, 1)\ntwin.move(0)\nau(17).split()\nau(20).join()\nau(12).merge(13)\nau(26).delete()\n"
+        "twin.limit = 1.5\ntwin.move_jaw(5, 1)\ntwin.move(0)\nau(17).split()\nau(20).join()\nau(12).merge(13)\nau(26).delete()\n"
         "print(au(12).jaw, au(12).fields, sorted(au(12).muscles))",
         document,
     )
