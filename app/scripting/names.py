@@ -9,6 +9,7 @@ import numpy as np
 
 from app.authoring import emotions, units
 from app.authoring.facs_table import filled_from_facs
+from app.authoring.jaw import with_jaw_axis
 from app.expression_text import format_expression, parse_expression
 from app.scripting.desk import ScriptDesk
 from app.scripting.muscle_handle import MuscleHandle
@@ -86,6 +87,11 @@ class Names:
         project, keys = collection.added(self._desk.project, muscles_from(text, self.face()))
         self._desk.edit(lambda _: project, "Paste muscles")
         return tuple(MuscleHandle(self._desk, key) for key in keys)
+
+    def jaw_axis(self, right: Where, left: Where) -> None:
+        """Let the jaw turn about the line through two places, the subject's right condyle and the left one."""
+        ends = self._painter.place(right), self._painter.place(left)
+        self._desk.edit(lambda project: with_jaw_axis(project, *ends), "Place the jaw’s axis")
 
     def expression(self) -> str:
         """What is shown, as text such as ``12L=0.8 12R=0.8``."""

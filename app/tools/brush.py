@@ -12,6 +12,7 @@ from app.tools.sight import Ring, Working
 from app.tools.tool import Bench, Tool
 from app.view_state import Workspace
 from facemodel.face import Face
+from facemodel.mesh import Mesh
 from facemodel.painting.brush import Mode
 from facemodel.painting.geodesic import SurfacePoint
 from facemodel.painting.stroke import Stroke, Touch
@@ -35,6 +36,7 @@ class BrushTool(Tool):
     def __init__(self, bench: Bench) -> None:
         super().__init__(bench)
         self._stroke: Stroke | None = None
+        self._skin: Mesh | None = None
         self._touched: BoolArray = np.zeros(0, dtype=np.bool_)
         bench.brush.changed.connect(self._redraw_ring)
         self._last: Hit | None = None
@@ -47,7 +49,8 @@ class BrushTool(Tool):
             self._pick(pointer.skin)
             return
         self._stroke = self._begun(pointer)
-        self._touched = np.zeros(len(self._face.skin.positions), dtype=np.bool_)
+        self._skin = self._face.skin
+        self._touched = np.zeros(len(self._skin.positions), dtype=np.bool_)
         self.busy = True
         self.move(pointer)
 
@@ -83,9 +86,9 @@ class BrushTool(Tool):
         self.bench.sight.ring_changed.emit(None)
 
     def cancel(self) -> None:
-        """Put back what the stroke has painted."""
+        """Put back what the stroke has painted; on another head there is nothing of it."""
         stroke, self._stroke, self.busy = self._stroke, None, False
-        if stroke is not None:
+        if stroke is not None and self._skin is self._face.skin:
             vertices = np.flatnonzero(self._touched)
             values = stroke.layer.values(self._face.layers, self._face.skin)
             self.bench.sight.working_changed.emit(Working(stroke.layer.key, vertices, values[vertices]))

@@ -45,7 +45,7 @@ class FillTool(Tool):
 
 
 def fill(bench: Bench, region: BoolArray, state: BrushState, pointer: Pointer | None = None) -> None:
-    """Do to a region (N,) but for what is locked what a brush does in its middle at full strength, as one step.
+    """Do to a region (N,) but for what is locked what the brush does in its middle, as one step.
 
     Raises
     ------

@@ -118,7 +118,8 @@ def test_a_script_may_take_back_its_own_steps_and_no_others(document: Document) 
 def test_units_are_made_and_changed(document: Document) -> None:
     outcome = run_script(
         "twin = au(12).duplicate()\ntwin.name = 'twin'\ntwin.number = 13\ntwin.note = 'a copy'\n"
-        "twin.limit = 1.5\ntwin.move_jaw(5, 1)\ntwin.move(0)\nau(17).split()\nau(20).join()\nau(12).merge(13)\nau(26).delete()\n"
+        "twin.limit = 1.5\ntwin.move_jaw(5, 1)\ntwin.move(0)\n"
+        "au(17).split()\nau(20).join()\nau(12).merge(13)\nau(26).delete()\n"
         "print(au(12).jaw, au(12).fields, sorted(au(12).muscles))",
         document,
     )
@@ -126,6 +127,16 @@ def test_units_are_made_and_changed(document: Document) -> None:
     assert outcome.output == "JawMotion(degrees=5.0, slide=1.0) ('12L', '12R') ['zygomaticus_major']\n"
     assert [unit.number for unit in document.project.units] == [12, 20, 17]
     assert [unit.paired for unit in document.project.units] == [True, False, True]
+
+
+def test_the_axis_of_the_jaw_is_placed(document: Document) -> None:
+    told: list[str] = []
+    document.skull_changed.connect(lambda: told.append("skull"))
+    assert run_script("jaw_axis((-45, 18, -38), (45, 20, -38))", document).error == ""
+    assert document.project.face.skull.jaw.axis.tolist() == [[-45, 18, -38], [45, 20, -38]]
+    assert told == ["skull"]
+    assert "apart" in run_script("jaw_axis((45, 18, -38), (-45, 20, -38))", document).error
+    assert "numbers" in run_script("jaw_axis((0, 0), (45, 20, -38))", document).error
 
 
 def test_a_whole_layer_is_read_and_set(document: Document, project: Project) -> None:

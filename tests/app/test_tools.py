@@ -134,6 +134,19 @@ def test_undo_in_the_middle_of_a_stroke_lets_the_stroke_go(
     assert document.history.done == ()
 
 
+def test_another_head_in_the_middle_of_a_stroke_ends_it(
+    box: ToolBox, seen: list[Working], document: Document, project: Project, ada: Project
+) -> None:
+    box.press(on_skin(project.face, 20, 20))
+    told = len(seen)
+    document.restore(ada, None)
+    assert not box.busy
+    assert len(seen) == told
+    box.move(Pointer(0, 0))
+    box.release(Pointer(0, 0))
+    assert document.history.done == ()
+
+
 def test_a_stroke_beside_the_face_is_none(box: ToolBox, document: Document, project: Project) -> None:
     box.press(Pointer(0, 0))
     assert not box.busy
