@@ -11,9 +11,6 @@ from facemodel.actions import ActionUnit, resolve
 INTENSITIES: Mapping[str, float] = {"A": 0.2, "B": 0.4, "C": 0.6, "D": 0.8, "E": 1.0}
 """Weight of each letter, in even steps."""
 
-WORDS: Mapping[str, str] = {"A": "trace", "B": "slight", "C": "marked", "D": "extreme", "E": "maximum"}
-"""What people call them."""
-
 CODE = re.compile(r"\s*([LR])?\s*(\d{1,3})\s*([LR])?\s*([A-E])?\s*", re.IGNORECASE)
 """One scored unit: ``12C``, ``L12C`` or ``12LC``; without a letter at its maximum."""
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from app.authoring import emotions, units
+from app.authoring.blending import Place, blended
 from app.authoring.facs_table import filled_from_facs
 from app.authoring.jaw import with_jaw_axis
 from app.expression_text import format_expression, parse_expression
@@ -15,7 +16,7 @@ from app.scripting.desk import ScriptDesk
 from app.scripting.muscle_handle import MuscleHandle
 from app.scripting.painting import Painter, Where
 from app.scripting.unit_handle import UnitHandle
-from facemodel.actions import find_emotion, resolve
+from facemodel.actions import expand, find_emotion, resolve
 from facemodel.face import Face
 from facemodel.laying import collection
 from facemodel.laying.clipboard import muscles_from, muscles_text
@@ -107,6 +108,12 @@ class Names:
         find_emotion(name, self._desk.project.emotions)
         self._desk.document.apply_emotion(name, strength)
 
+    def blend(self, places: Mapping[str, Place], at: Place) -> None:
+        """Show what is seen at a place of a pad on which named expressions lie: the nearer one, the more of it."""
+        fields = {name: self._fields_of(name) for name in places}
+        parts = {name: (place, fields[name]) for name, place in places.items()}
+        self._desk.document.set_expression(blended(parts, at), "Blend expressions")
+
     def neutral(self) -> None:
         """Set every slider to zero."""
         self._desk.document.reset_expression()
@@ -130,6 +137,10 @@ class Names:
         """Displacement (P, 3) of every drawn point by one field, such as ``12L``, at weight 1; millimetres."""
         (own,) = resolve(name, self._desk.project.units)
         return self._desk.solution().basis.field(own)
+
+    def _fields_of(self, name: str) -> dict[str, float]:
+        project = self._desk.project
+        return expand(find_emotion(name, project.emotions).weights, project.units)
 
     def undo(self) -> None:
         """Take back the last step of this script."""

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from app.authoring import units
+from app.intensity import letter_of
 from app.scripting.desk import ScriptDesk
 from facemodel.actions import ActionUnit, JawMotion
 from facemodel.project import Project
@@ -81,6 +82,11 @@ class UnitHandle:
     @weight.setter
     def weight(self, weight: float) -> None:
         self._desk.document.set_weights(dict.fromkeys(self.fields, weight))
+
+    @property
+    def letter(self) -> str:
+        """The intensity of FACS that is nearest to its weight, A to E; empty for none."""
+        return letter_of(self.weight)
 
     @property
     def muscles(self) -> dict[str, float]:

@@ -129,6 +129,17 @@ def test_units_are_made_and_changed(document: Document) -> None:
     assert [unit.paired for unit in document.project.units] == [True, False, True]
 
 
+def test_expressions_are_blended_and_told_in_letters(document: Document) -> None:
+    pad = "{'happiness': (0, 0), 'surprise': (1, 0)}"
+    outcome = run_script(
+        f"blend({pad}, (0.5, 0.7))\nprint(au(12).letter, au(26).letter, au(17).letter + '-')", document
+    )
+    assert outcome.error == ""
+    assert outcome.output == "B B -\n"
+    assert document.shown == pytest.approx({"12L": 0.45, "12R": 0.45, "20L": 0.05, "26": 0.4})
+    assert "boredom" in run_script("blend({'boredom': (0, 0)}, (0, 0))", document).error
+
+
 def test_the_axis_of_the_jaw_is_placed(document: Document) -> None:
     told: list[str] = []
     document.skull_changed.connect(lambda: told.append("skull"))
