@@ -30,6 +30,9 @@ SIZE = (1440, 900)
 STILL = 3.0
 """Seconds after which a face that does not move has been drawn with smooth edges."""
 
+MUSCLE = "zygomaticus_major_L"
+"""The muscle that is selected in the picture of the Muscles workspace."""
+
 PLATES = {
     "smile": ["--au", "12=1", "--au", "6=0.7"],
     "brow-raise": ["--au", "1=1", "--au", "2=1"],
@@ -63,8 +66,8 @@ def photograph(window: MainWindow, name: str) -> None:
     print(f"docs/images/{name}.png")
 
 
-def editor(theme: str, emotion: str, name: str) -> None:
-    """Photograph the editor on the default face with an emotion."""
+def editor(theme: str, emotion: str, name: str, workspaces: tuple[str, ...] = ()) -> None:
+    """Photograph the editor on the default face with an emotion, then other workspaces."""
     app = make_application()
     with tempfile.TemporaryDirectory() as folder:
         settings = UserSettings(Path(folder) / "preferences.json")
@@ -79,6 +82,10 @@ def editor(theme: str, emotion: str, name: str) -> None:
         document.apply_emotion(emotion)
         rest(app)
         photograph(window, name)
+        for workspace in workspaces:
+            window.context.view.change(workspace=workspace, muscle=MUSCLE if workspace == "muscles" else "")
+            rest(app)
+            photograph(window, workspace)
         document.undo()
         window.close()
 
@@ -104,5 +111,5 @@ def plates() -> None:
 if __name__ == "__main__":
     IMAGES.mkdir(exist_ok=True)
     plates()
-    editor("dark", "happiness", "editor")
+    editor("dark", "happiness", "editor", ("actions", "muscles", "tissue"))
     editor("light", "surprise", "editor-light")
