@@ -38,12 +38,15 @@ def run(path: Path | None = None) -> int:
     preparation.begin(lambda: look_of(document.project.face))
     # VTK takes a second to load; the face is made ready meanwhile.
     from ui.window.editor import make_window
+    from ui.window.safekeeping import Safekeeping
 
     window = make_window(document, settings, preparation)
     Unforeseen(window).install()
+    safekeeping = Safekeeping(window)
     window.show()
     for sentence in filter(None, (complaint, settings.notice)):
         window.context.host.show_error(sentence)
+    safekeeping.offer_soon()
     return app.exec()
 
 

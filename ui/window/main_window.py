@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QEvent, QSize, Qt
+from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QMainWindow
 
@@ -59,7 +59,13 @@ class MainWindow(QMainWindow):
     ----------
     document, view, settings, solving : what is shown and changed; they outlive the window
     preparation : makes faces ready to be drawn; it ends with the window
+
+    Signals
+    -------
+    closed() : the person has left; what is not saved by now is not wanted
     """
+
+    closed = Signal()
 
     def __init__(
         self, document: Document, view: View, settings: UserSettings, solving: Solving, preparation: Preparation
@@ -137,6 +143,7 @@ class MainWindow(QMainWindow):
         self.context.solving.job.close()
         self.viewport.close()
         event.accept()
+        self.closed.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the palette in the middle."""

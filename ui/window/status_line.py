@@ -1,4 +1,4 @@
-"""The bottom line: a hint for the hand, the progress of a solve with its cancel button, and the state of the face."""
+"""The bottom line: a hint for the hand, the progress of a solve with its cancel button, the journal, the face."""
 
 from __future__ import annotations
 
@@ -42,10 +42,13 @@ class StatusLine(QStatusBar):
         self.cancel.setProperty("role", "status")
         self.cancel.setToolTip("Stop solving and keep the last face (Esc)")
         self.cancel.clicked.connect(self.cancel_asked)
+        self.kept = QLabel()
+        self.kept.setContentsMargins(0, 0, GRID, 0)
+        self.kept.hide()
         self.state = QLabel()
         self.state.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.addWidget(self.hint, 1)
-        for widget in (self.step, self.bar, self.cancel, self.state):
+        for widget in (self.step, self.bar, self.cancel, self.kept, self.state):
             self.addPermanentWidget(widget)
         self._timer = QTimer(self, singleShot=True, interval=NOTICE_TIME)
         self._timer.timeout.connect(lambda: self.hint.setText(self._hint))
@@ -73,6 +76,12 @@ class StatusLine(QStatusBar):
         """Nothing is being solved."""
         for widget in (self.step, self.bar, self.cancel):
             widget.hide()
+
+    def show_kept(self, text: str, tip: str) -> None:
+        """What is kept safe of unsaved work, in two words, and what they mean; nothing to say if empty."""
+        self.kept.setText(text)
+        self.kept.setToolTip(tip)
+        self.kept.setVisible(bool(text))
 
     def show_state(self, text: str, tip: str) -> None:
         """The state of the face in a few characters, and what they mean."""
