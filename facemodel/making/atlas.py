@@ -170,11 +170,11 @@ BANDS: Mapping[str, Band] = {
         "Depressor labii inferioris",
         "chin",
         (
-            (Spot("pogonion", (10, -6, 0)), Spot("lower_vermilion", (4, 0, 0))),
-            (Spot("pogonion", (16, -5, 0)), Spot("lower_vermilion", (9, 1, 0))),
-            (Spot("pogonion", (22, -4, 0)), Spot("lower_vermilion", (14, 2, 0))),
+            (Spot("pogonion", (10, -6, 0)), Spot("lower_vermilion", (8, 1, 0))),
+            (Spot("pogonion", (16, -5, 0)), Spot("lower_vermilion", (12, 1, 0))),
+            (Spot("pogonion", (22, -4, 0)), Spot("lower_vermilion", (16, 2, 0))),
         ),
-        width=10,
+        width=8,
     ),
     "mentalis": Band(
         "Mentalis",

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
+from facemodel.actions import ActionUnit
 from facemodel.atlas import Atlas
+from facemodel.basis import Basis
 from facemodel.face import Face
 from facemodel.facs import action_units
 from facemodel.muscles import Muscle
@@ -25,14 +29,31 @@ def find_gains(face: Face, muscles: tuple[Muscle, ...]) -> Atlas:
     for _ in range(5):
         units = tuple(atlas.scaled(unit) for unit in action_units())
         basis = solve_project(Project(face, muscles, units, (), {}, Settings(density=1))).basis
-        reached = {unit.number: max(basis.peak(name) for name in unit.fields) for unit in units}
-        wrong = {unit.number: unit.amplitude / reached[unit.number] for unit in units}
+        wrong = {unit.number: _factor(basis, unit) for unit in units}
         gains = {number: gain * wrong[number] for number, gain in atlas.gains.items()}
         gains = {n: min(g, LARGEST_TURN / _degrees(n)) if _degrees(n) else g for n, g in gains.items()}
         atlas = replace(atlas, gains=gains)
         if all(abs(factor - 1) < CLOSE for factor in wrong.values()):
             break
     return atlas
+
+
+def _factor(basis: Basis, unit: ActionUnit) -> float:
+    """What the gain of a unit is off by.
+
+    The table's amplitudes are those of one side.  Where the sides meet at the midline both together move the skin
+    further; then one side may fall a tenth short, so that the two of them stay near the table as well.
+    """
+    fields = [basis.moving_field(name) for name in unit.fields]
+    alone = max(basis.peak(name) for name in unit.fields)
+    together = float(np.linalg.norm(np.sum(fields, axis=0), axis=1).max())
+    return min(
+        unit.amplitude / alone, max(LEAST_ALONE * unit.amplitude / alone, MOST_TOGETHER * unit.amplitude / together)
+    )
+
+
+LEAST_ALONE, MOST_TOGETHER = 0.9, 1.1
+"""Shares of the table's amplitude that one side must reach at least, and both together should not pass."""
 
 
 def _degrees(number: int) -> float:
