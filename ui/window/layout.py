@@ -7,7 +7,7 @@ import binascii
 import json
 from dataclasses import dataclass, field
 
-VERSION = 2
+VERSION = 3
 """Raised when docks are added or renamed, so that an older layout is not forced on a newer window."""
 
 

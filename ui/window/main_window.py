@@ -21,6 +21,7 @@ from app.view import View
 from app.view_state import ViewState, Workspace
 from facemodel.muscles import Muscle
 from ui.panels.actions.unit_deeds import UNIT_ACTIONS
+from ui.panels.console_panel import ConsolePanel
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.face_information import FaceInformation
 from ui.panels.muscle_text import muscle_label
@@ -86,6 +87,7 @@ class MainWindow(QMainWindow):
         self.docks = {
             "workspace": Dock("workspace", "Expression", self.panels),
             "information": Dock("information", "Face information", FaceInformation(document)),
+            "console": Dock("console", "Console", ConsolePanel(document)),
         }
         self.hands = ToolHands(self.viewport.canvas, self.viewport.scene, self.toolbox)
         self.strip = ToolStrip(self.binding, self.toolbox)
@@ -167,6 +169,10 @@ class MainWindow(QMainWindow):
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.docks["workspace"])
         self.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, self.docks["information"])
         self.docks["information"].hide()
+        console = self.docks["console"]
+        self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, console)
+        console.hide()
+        console.toggleViewAction().triggered.connect(lambda on: console.widget().setFocus() if on else None)
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
 
     def _connect(self) -> None:
