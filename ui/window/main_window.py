@@ -172,7 +172,7 @@ class MainWindow(QMainWindow):
         console = self.docks["console"]
         self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, console)
         console.hide()
-        console.toggleViewAction().triggered.connect(lambda on: console.widget().setFocus() if on else None)
+        console.toggleViewAction().triggered.connect(lambda on: self._open_console() if on else None)
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
 
     def _connect(self) -> None:
@@ -210,7 +210,16 @@ class MainWindow(QMainWindow):
     def _actions(self, context: Context) -> tuple[Action, ...]:
         of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
         authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS)
-        return (*all_actions(context), *authoring, *workspace_actions(WORKSPACES), *of_tools)
+        return (*all_actions(context), self._console_action(), *authoring, *workspace_actions(WORKSPACES), *of_tools)
+
+    def _console_action(self) -> Action:
+        """For the palette and for keys of one's own; the menu has the dock's own switch."""
+        hint = "Run Python of your own on the open project, each entry as one step"
+        return Action("window.console", "Console", lambda _context: self._open_console(), hint=hint)
+
+    def _open_console(self) -> None:
+        self.show_dock("console")
+        self.docks["console"].widget().setFocus()
 
     def _take_tool(self, tool: Tool) -> None:
         """Show what is in hand; over the face of the expression workspace the pointer names muscles."""

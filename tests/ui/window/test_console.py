@@ -24,6 +24,14 @@ def console(qtbot, window: MainWindow) -> ConsolePanel:
     return panel
 
 
+def test_the_palette_opens_it(qtbot, window) -> None:
+    QTest.keyClick(window, Key.Key_P, CTRL | Qt.KeyboardModifier.ShiftModifier)
+    qtbot.waitUntil(window.palette_box.isVisible)
+    QTest.keyClicks(window.palette_box.focusWidget(), "console")
+    QTest.keyClick(window.palette_box.focusWidget(), Key.Key_Return)
+    qtbot.waitUntil(window.docks["console"].widget().line.hasFocus)
+
+
 def enter(console: ConsolePanel, *lines: str) -> str:
     """Type lines; what is told about them, without what was typed."""
     before = len(console.output.toPlainText())
