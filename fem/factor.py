@@ -50,10 +50,16 @@ class Factor:
         return np.asarray(self.lu.solve(np.asfortranarray(right_hand_sides)), dtype=np.float64)
 
 
-def factorise(matrix: csc_array) -> Factor:
-    """Factorise an (n, n) symmetric positive definite matrix.
+def factorise(matrix: csc_array, ordered: bool = False) -> Factor:
+    """Factorise an (n, n) symmetric positive definite matrix, without pivoting.
 
-    Symmetric minimum degree without pivoting: five times faster here than the default ordering of SciPy.
+    Parameters
+    ----------
+    matrix
+        The matrix.
+    ordered
+        Whether its rows are in an order that fills the factors little, as `DofMap.elimination_rank` tells. Other
+        matrices are ordered by symmetric minimum degree, five times faster here than the default of SciPy.
 
     Raises
     ------
@@ -64,25 +70,26 @@ def factorise(matrix: csc_array) -> Factor:
     if not np.all(diagonal > 0.0):
         raise LooseMatrixError((~(diagonal > 0.0)).astype(np.float64))
     try:
-        factor = Factor(_lu(matrix))
+        factor = Factor(_lu(matrix, ordered))
     except RuntimeError as error:
-        raise LooseMatrixError(_loose_motion(matrix, diagonal)) from error
+        raise LooseMatrixError(_loose_motion(matrix, diagonal, ordered)) from error
     scale = np.sqrt(diagonal)
     known = np.random.default_rng(_SEED).choice([-1.0, 1.0], len(scale)) / scale
     returned = factor.solve(np.asarray(matrix @ known)[:, None])[:, 0]
     if not np.all(np.abs(returned - known) * scale < PROBE_TOLERANCE):
-        raise LooseMatrixError(_loose_motion(matrix, diagonal))
+        raise LooseMatrixError(_loose_motion(matrix, diagonal, ordered))
     return factor
 
 
-def _lu(matrix: csc_array) -> SuperLU:
-    return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+def _lu(matrix: csc_array, ordered: bool) -> SuperLU:
+    order = "NATURAL" if ordered else "MMD_AT_PLUS_A"
+    return splu(matrix, permc_spec=order, diag_pivot_thresh=0.0, options={"SymmetricMode": True})
 
 
-def _loose_motion(matrix: csc_array, diagonal: FloatArray) -> FloatArray:
+def _loose_motion(matrix: csc_array, diagonal: FloatArray, ordered: bool) -> FloatArray:
     """Find the motion of least energy by inverse iteration on the matrix with a slightly raised diagonal."""
     scale = np.sqrt(diagonal)
-    shifted = _lu(csc_array(matrix + diags_array(LOOSE_SHIFT * diagonal)))
+    shifted = _lu(csc_array(matrix + diags_array(LOOSE_SHIFT * diagonal)), ordered)
     motion = np.random.default_rng(_SEED).standard_normal(len(scale))
     for _ in range(LOOSE_ITERATIONS):
         motion = shifted.solve(motion * scale) * scale

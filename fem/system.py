@@ -67,7 +67,8 @@ class SurfaceSystem:
             held[3 * dofs.value_dofs[supports.sliding]] = True
         if self._rotation is not None:
             matrix = csc_array(self._rotation.T @ matrix @ self._rotation)
-        self._free = np.flatnonzero(~held)
+        free = np.flatnonzero(~held)
+        self._free = free[np.argsort(dofs.elimination_rank[free // 3 if self.is_coupled else free], kind="stable")]
         self._held = np.flatnonzero(held)
         columns = matrix[:, self._free]
         self._stiff_free = csc_array(columns[self._free])
@@ -92,7 +93,7 @@ class SurfaceSystem:
         if self._factor is not None or self.n_unknowns == 0:
             return
         try:
-            self._factor = factorise(self._stiff_free)
+            self._factor = factorise(self._stiff_free, ordered=True)
         except LooseMatrixError as error:
             dofs = self._free // 3 if self.is_coupled else self._free
             vertices = _loose_vertices(self.dofs, dofs, error.motion)
