@@ -8,16 +8,16 @@ opens the editor, says when that frame is drawn, and closes it.
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from benchmarks.figure import Figure, Unmeasured, alone
+from benchmarks.figure import Figure, Unmeasured, alone, told_by
 
 REPEATS = 5
 PATIENCE = 120
@@ -41,35 +41,35 @@ def _seconds_to_first_frame(folder: Path) -> float:
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # whoever starts a program twice has its bytecode
     start = time.time()
     command = [sys.executable, "-m", "benchmarks.start"]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=PATIENCE, check=True)
-    return float(done.stdout.split()[-1]) - start
+    return float(told_by(command, environment, PATIENCE).split()[0]) - start
 
 
 def tell_first_frame() -> None:
     """Open the editor and print the time at which the solved face has been drawn."""
     # The imports are part of the start, and the measuring process needs none of them.
     from PySide6.QtCore import QTimer
+    from PySide6.QtWidgets import QApplication
 
-    from app.settings import UserSettings
-    from ui.window.main import first_document, follow_theme, make_application, make_window
+    from ui.window.main import make_application, run
 
-    app = make_application()
-    settings = UserSettings()
-    follow_theme(app, settings)
-    document, _ = first_document(None)
-    window = make_window(document, settings)
-    viewport = window.viewport
+    make_application()
+    waiting = QTimer(interval=5)
 
-    def look(_milliseconds: float) -> None:
-        figure = viewport.scene.figure
-        if document.solution is not None and figure is not None and figure.posed.basis is document.solution.basis:
+    def watch() -> None:
+        for window in QApplication.topLevelWidgets():
+            if hasattr(window, "viewport") and hasattr(window, "context"):
+                waiting.stop()
+                window.viewport.canvas.drawn.connect(lambda _milliseconds: look(window))
+
+    def look(window: Any) -> None:
+        solution, figure = window.context.document.solution, window.viewport.scene.figure
+        if solution is not None and figure is not None and figure.posed.basis is solution.basis:
             print(time.time(), flush=True)
-            viewport.canvas.drawn.disconnect(look)
             QTimer.singleShot(0, window.close)
 
-    viewport.canvas.drawn.connect(look)
-    window.show()
-    app.exec()
+    waiting.timeout.connect(watch)
+    waiting.start()
+    run()
 
 
 if __name__ == "__main__":
