@@ -12,6 +12,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -59,9 +60,9 @@ def tell_first_frame() -> None:
         for window in QApplication.topLevelWidgets():
             if hasattr(window, "viewport") and hasattr(window, "context"):
                 waiting.stop()
-                window.viewport.canvas.drawn.connect(lambda _milliseconds: look(window))
+                window.viewport.canvas.drawn.connect(partial(look, window))
 
-    def look(window: Any) -> None:
+    def look(window: Any, _milliseconds: float) -> None:
         solution, figure = window.context.document.solution, window.viewport.scene.figure
         if solution is not None and figure is not None and figure.posed.basis is solution.basis:
             print(time.time(), flush=True)
