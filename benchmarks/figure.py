@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -41,6 +42,24 @@ class Figure:
 
 class Unmeasured(Exception):  # noqa: N818 - it is a finding, not an error
     """Something that cannot be measured here, with the reason."""
+
+
+def told_by(command: Sequence[str], environment: Mapping[str, str] | None = None, patience: float = 1800.0) -> str:
+    """What a process of its own prints.
+
+    Raises
+    ------
+    Unmeasured
+        If it fails or takes more seconds than there is patience for, with its last line.
+    """
+    try:
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=patience, check=True)
+    except subprocess.TimeoutExpired as error:
+        raise Unmeasured(f"{' '.join(command)} took more than {patience:g} seconds.") from error
+    except subprocess.CalledProcessError as error:
+        last = (error.stderr.strip() or "it said nothing").splitlines()[-1]
+        raise Unmeasured(f"{' '.join(command)} ended with status {error.returncode}: {last}") from error
+    return done.stdout
 
 
 def interleaved(steps: Mapping[str, Callable[[], object]], repeats: int) -> dict[str, FloatArray]:

@@ -8,7 +8,6 @@ solves the default face refined to so many vertices in a process of its own, so 
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 import time
 from collections.abc import Iterator
@@ -17,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.figure import Figure, readable
+from benchmarks.figure import Figure, readable, told_by
 from benchmarks.shapes import refined
 from facemodel.project import Settings
 from facemodel.projects import new_project
@@ -52,8 +51,7 @@ def figures() -> Iterator[Figure]:
 
 def _measured(size: int) -> dict[str, Any]:
     command = [sys.executable, "-m", "benchmarks.growth", str(size)]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    return json.loads(done.stdout)
+    return json.loads(told_by(command))
 
 
 def solved(size: int) -> dict[str, Any]:
