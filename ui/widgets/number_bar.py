@@ -2,33 +2,27 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
-    QContextMenuEvent,
-    QEnterEvent,
-    QFocusEvent,
-    QKeyEvent,
     QMouseEvent,
     QPainter,
     QPainterPath,
     QPaintEvent,
     QPen,
-    QWheelEvent,
 )
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ui.theme.apply import current_theme
 from ui.theme.colour import blend
 from ui.theme.metrics import GRID, RADIUS, ROW
 from ui.theme.roles import Theme
-from ui.widgets.activation_slider import OWN_KEYS
+from ui.widgets.bar_hands import BarHands
 from ui.widgets.bar_paint import EDGE, fill_colour
-from ui.widgets.number_edit import NumberEdit
 from ui.widgets.number_scale import NumberDrag, NumberScale
 
 
-class NumberBar(QWidget):
+class NumberBar(BarHands, QWidget):
     """Shows one number and lets the hand change it.
 
     Dragging is relative: the fill follows the pointer.  Shift is finer, Esc restores.  Arrow keys step, Enter or a
@@ -51,15 +45,8 @@ class NumberBar(QWidget):
         super().__init__(parent)
         self.label, self.scale, self.role = label, scale, role
         self._value = scale.default
-        self._drag: NumberDrag | None = None
-        self._stepping = False
-        self._editor: NumberEdit | None = None
         self._mixed = False
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
-        self.setCursor(Qt.CursorShape.SizeHorCursor)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(label)
+        self._get_ready(label)
 
     @property
     def value(self) -> float:
@@ -87,30 +74,6 @@ class NumberBar(QWidget):
         if self._value != self.scale.default or self._mixed:
             self.set_now(self.scale.default)
 
-    def cancel(self) -> None:
-        """Take the gesture in progress back."""
-        drag, self._drag = self._drag, None
-        if drag is not None and drag.moving:
-            self.set_value(drag.start)
-            self.cancelled.emit()
-        self.update()
-
-    def edit(self) -> None:
-        """Open the number for typing."""
-        if self._editor is None and self.isEnabled():
-            self._editor = NumberEdit(self, f"{self._value:g}")
-            self._editor.entered.connect(self._enter)
-            self._editor.dismissed.connect(self._close_editor)
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold; the right button resets, or cancels a drag that is under way."""
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._drag = NumberDrag(event.position().x(), self._value, self.scale.share(self._value))
-        elif event.button() == Qt.MouseButton.RightButton and self._drag is not None:
-            self.cancel()
-        elif event.button() == Qt.MouseButton.RightButton:
-            self.reset()
-
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """The fill follows the pointer."""
         if self._drag is None:
@@ -118,78 +81,6 @@ class NumberBar(QWidget):
         drag = self._drag = self._drag.moved(event.position().x(), self.width(), event.modifiers())
         if drag.moving:
             self._show_and_tell(self.scale.rounded(self.scale.value(drag.reached), finer=int(drag.fine)))
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let go: a drag is kept."""
-        if event.button() != Qt.MouseButton.LeftButton:
-            return
-        drag, self._drag = self._drag, None
-        self.update()
-        if drag is not None and drag.moving:
-            self.committed.emit()
-
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Edit the number."""
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._drag = None
-            self.edit()
-
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """No menu: the right button has a meaning of its own."""
-        event.accept()
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """The wheel scrolls the panel and never changes a number by accident."""
-        event.ignore()
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Step, edit, reset or cancel."""
-        key = event.key()
-        if key == Qt.Key.Key_Escape and self._drag is not None:
-            self.cancel()
-        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
-            self.edit()
-        elif key in (Qt.Key.Key_Backspace, Qt.Key.Key_Delete):
-            self.reset()
-        elif (target := self.scale.stepped(self._value, key, event.modifiers())) is not None:
-            self._stepping = True
-            self._show_and_tell(target)
-        else:
-            event.ignore()
-
-    def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        """A key held down is one gesture."""
-        if not event.isAutoRepeat():
-            self._finish_steps()
-        event.ignore()
-
-    def event(self, event: QEvent) -> bool:
-        """Keep the keys that mean something here, before a shortcut of the window takes them."""
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
-            wanted = event.key() in OWN_KEYS or (event.key() == Qt.Key.Key_Escape and self._drag is not None)
-            if wanted:
-                event.accept()
-                return True
-        return super().event(event)
-
-    def enterEvent(self, event: QEnterEvent) -> None:
-        """Say that the pointer came."""
-        super().enterEvent(event)
-        self.hovered.emit(True)
-
-    def leaveEvent(self, event: QEvent) -> None:
-        """Say that the pointer went."""
-        super().leaveEvent(event)
-        self.hovered.emit(False)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Finish what the keys began."""
-        super().focusOutEvent(event)
-        self._finish_steps()
-
-    def sizeHint(self) -> QSize:
-        """One row, wide enough for a short name."""
-        return QSize(20 * GRID, ROW - 2)
 
     def minimumSizeHint(self) -> QSize:
         """One row, wide enough for the number."""
@@ -247,18 +138,18 @@ class NumberBar(QWidget):
         self.set_value(value)
         self.previewed.emit(value)
 
-    def _finish_steps(self) -> None:
-        if self._stepping:
-            self._stepping = False
-            self.committed.emit()
-
     def _enter(self, value: float) -> None:
         self._close_editor()
         self.set_now(self.scale.rounded(value, finer=2))
 
-    def _close_editor(self) -> None:
-        editor, self._editor = self._editor, None
-        if editor is not None:
-            editor.hide()
-            editor.deleteLater()
-            self.setFocus(Qt.FocusReason.OtherFocusReason)
+    def _written(self) -> str:
+        return f"{self._value:g}"
+
+    def _stepped(self, key: int, modifiers: Qt.KeyboardModifier) -> float | None:
+        return self.scale.stepped(self._value, key, modifiers)
+
+    def _grasp(self, x: float) -> NumberDrag:
+        return NumberDrag(x, self._value, self.scale.share(self._value))
+
+    def _restore(self, drag: NumberDrag) -> None:
+        self.set_value(drag.start)
