@@ -27,11 +27,7 @@ def lid_forces(muscle: Muscle, skin: Mesh) -> FloatArray:
     d = skin.positions - ring.centre
     u, v, depth = d @ along, d @ up, d @ np.cross(along, up)
     span = np.maximum(1 - (u / a) ** 2, 0.0)
-    height = lateral(np.maximum(v, 0.0) / b) * (v > -MARGIN) * (depth > 0)
+    height = lateral(np.maximum(v, 0.0) / b) * (v > 0) * (depth > 0)
     swing = np.cross(along, d - u[:, None] * along)
     swing *= np.sign(swing @ up)[:, None] / np.maximum(np.linalg.norm(swing, axis=1, keepdims=True), 1e-9)
     return np.asarray(-muscle.strength * ring.inward * (span * height)[:, None] * swing)
-
-
-MARGIN = 0.0
-"""Millimetres below the middle of the fissure where the upper lid ends."""
