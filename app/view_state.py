@@ -7,12 +7,13 @@ from typing import Literal
 
 ViewName = Literal["front", "left", "right", "three-quarter", "top", "free"]
 
-Workspace = Literal["expression", "actions", "muscles", "tissue"]
+Workspace = Literal["expression", "actions", "muscles", "skull", "tissue"]
 
 WORKSPACE_TITLES: dict[Workspace, str] = {
     "expression": "Expression",
     "actions": "Actions",
     "muscles": "Muscles",
+    "skull": "Skull",
     "tissue": "Tissue",
 }
 """The workspaces, in the order of their tabs."""

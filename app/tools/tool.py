@@ -15,7 +15,7 @@ from app.tools.sight import Sight
 from app.view import View
 from app.view_state import Workspace
 
-EVERYWHERE: frozenset[Workspace] = frozenset(("expression", "actions", "muscles", "tissue"))
+EVERYWHERE: frozenset[Workspace] = frozenset(("expression", "actions", "muscles", "skull", "tissue"))
 
 
 @dataclass(eq=False)

@@ -11,6 +11,7 @@ from app.tools.tool import Tool
 from ui.panels.actions.panel import ActionsPanel
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.muscles.panel import MusclesPanel
+from ui.panels.skull.panel import SkullPanel
 from ui.panels.tissue.panel import TissuePanel
 from ui.viewport.overlays.cursor import BrushRing
 from ui.viewport.overlays.fibre_ghost import FibreGhost, MusclesInSight
@@ -18,6 +19,7 @@ from ui.viewport.overlays.glyphs import Glyphs
 from ui.viewport.overlays.handles import MuscleHandles
 from ui.viewport.overlays.lasso import LassoOutline, RegionOutlines
 from ui.viewport.overlays.layer import LayerDrawing
+from ui.viewport.overlays.skull_sight import SkullInSight
 from ui.workspaces.workspace import Parts, WorkspaceKind
 
 
@@ -52,6 +54,10 @@ def _prepare_solver(parts: Parts) -> None:
     document.solution_changed.connect(once)
 
 
+def _skull_panel(parts: Parts) -> SkullPanel:
+    return SkullPanel(parts.context, parts.toolbox)
+
+
 def _tissue_panel(parts: Parts) -> TissuePanel:
     return TissuePanel(parts.context, parts.bench)
 
@@ -73,6 +79,7 @@ WORKSPACES: tuple[WorkspaceKind, ...] = (
         (MusclesInSight, MuscleHandles, FibreGhost),
         _prepare_solver,
     ),
+    WorkspaceKind("skull", _skull_panel, (SelectTool,), (SkullInSight,), _prepare_solver),
     WorkspaceKind(
         "tissue",
         _tissue_panel,
