@@ -103,7 +103,7 @@ class ActionsPanel(QWidget):
         parts = QSplitter(Qt.Orientation.Vertical)
         parts.setChildrenCollapsible(False)
         parts.addWidget(self._upper())
-        parts.addWidget(_scrolled(self.editor))
+        parts.addWidget(_scrolled(self._numbers()))
         parts.setStretchFactor(0, 1)
         parts.setSizes(list(HEIGHTS))
         expressions = QWidget()
@@ -119,6 +119,17 @@ class ActionsPanel(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.tabs)
+
+    def _numbers(self) -> QWidget:
+        """What belongs to the unit in hand, one section under the other."""
+        column = QWidget()
+        sections = QVBoxLayout(column)
+        sections.setContentsMargins(0, 0, 0, 0)
+        sections.setSpacing(0)
+        for section in (self.editor,):
+            sections.addWidget(section)
+        sections.addStretch(1)
+        return column
 
     def _upper(self) -> QWidget:
         head = QHBoxLayout()
