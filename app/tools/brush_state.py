@@ -30,6 +30,12 @@ STRONGER = 1.25
 TURN = 15.0
 """Degrees by which a brush that adds turns the grain."""
 
+EMPHASIS = 3.0
+"""What a brush that sets paints, over what is there before anybody paints: at half strength a first stroke doubles it."""
+
+STANDING = 90.0
+"""Degrees that a brush sets the grain to: faces come with level grain."""
+
 
 @dataclass(frozen=True)
 class BrushState:
@@ -126,14 +132,14 @@ class HandBrush:
 
 
 def usual_value(layer: PaintLayer, mode: Mode) -> float:
-    """What a brush paints before anybody says otherwise."""
+    """What a brush paints before anybody says otherwise: never what is there already."""
     if layer.kind == "choice":
         return float(Support.CLAMPED)
     if mode == "scale":
         return STRONGER
     if mode == "add":
         return TURN if layer.kind == "angle" else layer.default / 2
-    return layer.default
+    return STANDING if layer.kind == "angle" else EMPHASIS * layer.default
 
 
 def _taken_away(layer: PaintLayer, mode: Mode, value: float) -> float:
