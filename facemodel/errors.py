@@ -25,3 +25,7 @@ class MuscleError(RisoriusError):
 
 class PaintError(RisoriusError):
     """A layer cannot be painted, filled or read from a file as it was asked for; the layers stay as they were."""
+
+
+class SkullError(RisoriusError):
+    """Bone or jaw cannot be placed or chosen as it was asked for; the skull stays as it was."""
