@@ -31,6 +31,13 @@ EXAGGERATED = 2.0
 """How far a slider goes past 1; beyond twice its contraction skin folds and nothing is to be seen."""
 
 
+LETTERS = (0.1, 0.3, 0.5, 0.7, 0.9)
+"""Weights at which the intensities A, B, C, D and E of FACS begin, where a unit has none of its own: even steps."""
+
+Place = tuple[float, float]
+"""Where on the pad, from 0 to 1 to the right and up."""
+
+
 @dataclass(frozen=True)
 class JawMotion:
     """What an action unit does to the mandible at activation 1: opening in degrees, slide in millimetres."""
@@ -54,6 +61,7 @@ class ActionUnit:
     amplitude : largest displacement of the skin at activation 1, millimetres
     note : one line for people
     limit : the largest weight that its sliders take; 1 is full, `EXAGGERATED` as far as any goes
+    letters : the weights at which the intensities A, B, C, D and E of FACS begin, in increasing order
     """
 
     number: int
@@ -65,6 +73,7 @@ class ActionUnit:
     jaw: JawMotion | None = None
     note: str = ""
     limit: float = EXAGGERATED
+    letters: tuple[float, ...] = LETTERS
 
     @property
     def fields(self) -> tuple[str, ...]:
@@ -80,10 +89,12 @@ class Emotion:
     ----------
     name : lower case, for example ``happiness``
     weights : weight of each action unit, by any name that `resolve` knows
+    place : where it lies on the pad that blends expressions; none if it is not on it
     """
 
     name: str
     weights: Mapping[str, float] = field(default_factory=dict)
+    place: Place | None = None
 
     @property
     def title(self) -> str:

@@ -6,10 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from facemodel.actions import Expression
-
-Place = tuple[float, float]
-"""Where on the pad, from 0 to 1 in both directions."""
+from facemodel.actions import Expression, Place
 
 CLOSE = 1e-9
 """Distance on the pad within which the pointer is on an expression and shows it alone."""

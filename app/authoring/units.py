@@ -11,6 +11,7 @@ from app.authoring.renaming import refielded, spelled
 from app.errors import UnitError
 from facemodel.actions import EXAGGERATED, GROUP_TITLES, ActionUnit, Group, JawMotion, resolve
 from facemodel.errors import UnknownNameError
+from facemodel.muscles.muscle import Model
 from facemodel.project import Project
 
 FIRST_OWN = 101
@@ -22,6 +23,9 @@ LONGEST_NOTE = 20_000
 
 LARGEST_ACTIVATION = 20.0
 """Times a muscle's strength; what the shipped units ask of their muscles stays far below."""
+
+LET_GO: frozenset[Model] = frozenset({"lid"})
+"""Models of muscles that hold at rest, so that a unit may also relax them: below zero the levator lets its lid sink."""
 
 WIDEST = 60.0
 """Degrees of opening; no jaw opens wider than 45."""
@@ -114,21 +118,39 @@ def with_activation(project: Project, number: int, muscle: str, weight: float) -
     Parameters
     ----------
     muscle : by its name without side
-    weight : times the muscle's strength at weight 1 of the unit
+    weight : times the muscle's strength at weight 1 of the unit; below zero a lid lets go
 
     Raises
     ------
     UnitError
-        If the weight is not a number from 0 to `LARGEST_ACTIVATION`.
+        If the muscle cannot be contracted so, see `check_activation`.
     UnknownNameError
         If there is no such unit or muscle.
     """
     unit = unit_of(project, number)
-    if all(each.name != muscle for each in project.muscles):
-        raise UnknownNameError(f"There is no muscle “{muscle}” for action unit {number} to contract; lay it first.")
-    _check_range(f"The activation of {muscle}", weight, 0.0, LARGEST_ACTIVATION, "")
+    check_activation(project, muscle, weight)
     muscles = {name: each for name, each in unit.muscles.items() if name != muscle or weight}
     return with_unit(project, replace(unit, muscles={**muscles, muscle: float(weight)} if weight else muscles))
+
+
+def check_activation(project: Project, muscle: str, weight: float) -> None:
+    """See that a muscle, by its name without side, can be contracted so.
+
+    Raises
+    ------
+    UnitError
+        If the weight is not a number, or beyond `LARGEST_ACTIVATION`, or below zero for a muscle that can only pull.
+    UnknownNameError
+        If there is no such muscle.
+    """
+    models = {each.model for each in project.muscles if each.name == muscle}
+    if not models:
+        raise UnknownNameError(f"There is no muscle “{muscle}” to contract; lay it first.")
+    lets_go = models <= LET_GO
+    if weight < 0 and not lets_go:
+        raise UnitError(f"The activation of {muscle} is {weight:g}, but a muscle only pulls; choose 0 or more.")
+    least = -LARGEST_ACTIVATION if lets_go else 0.0
+    _check_range(f"The activation of {muscle}", weight, least, LARGEST_ACTIVATION, "")
 
 
 def with_jaw(project: Project, number: int, degrees: float, slide: float = 0.0) -> Project:
@@ -209,25 +231,37 @@ def joined(project: Project, number: int) -> Project:
     return refielded(project, {number: one}, lambda name: one.fields[0] if name in unit.fields else name)
 
 
-def merged(project: Project, number: int, other: int) -> Project:
+def merged(project: Project, number: int, other: int, own: float = 1.0, share: float = 1.0) -> Project:
     """A project in which one unit does what two did; it keeps the number and name of the first.
 
     In expression and emotions it has the larger weight of both.
 
+    Parameters
+    ----------
+    own, share : how much of the first and of the other one goes into it, 0 to `EXAGGERATED`; 1 is all of it
+
     Raises
     ------
     UnitError
-        If both are the same, or only one of them has left and right.
+        If both are the same, only one of them has left and right, or a share is out of range.
     """
+    for each, part in ((number, own), (other, share)):
+        _check_range(f"The share of action unit {each}", part, 0.0, EXAGGERATED, "")
     first, second = unit_of(project, number), unit_of(project, other)
     if number == other:
         raise UnitError(f"Action unit {number} cannot be merged with itself; choose another one.")
     if first.paired != second.paired:
         raise UnitError(f"Only one of action units {number} and {other} has left and right; split or join one first.")
-    muscles = {m: first.muscles.get(m, 0.0) + second.muscles.get(m, 0.0) for m in {**first.muscles, **second.muscles}}
-    jaws = [unit.jaw for unit in (first, second) if unit.jaw]
-    jaw = JawMotion(sum(each.degrees for each in jaws), sum(each.slide for each in jaws)) if jaws else None
-    both = replace(first, muscles=muscles, jaw=jaw, amplitude=max(first.amplitude, second.amplitude))
+    names = {**first.muscles, **second.muscles}
+    sums = {name: own * first.muscles.get(name, 0.0) + share * second.muscles.get(name, 0.0) for name in names}
+    jaws = [(unit.jaw, part) for unit, part in ((first, own), (second, share)) if unit.jaw and part]
+    jaw = JawMotion(sum(j.degrees * part for j, part in jaws), sum(j.slide * part for j, part in jaws))
+    both = replace(
+        first,
+        muscles={name: total for name, total in sums.items() if total},
+        jaw=jaw if jaws else None,
+        amplitude=max(own * first.amplitude, share * second.amplitude),
+    )
     fields = dict(zip(second.fields, both.fields, strict=True))
     return refielded(project, {number: both, other: None}, lambda name: fields.get(name, name))
 

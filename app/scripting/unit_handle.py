@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
-from app.authoring import units
-from app.intensity import letter_of
+from app.authoring import intensities, units
+from app.intensity import letter_of, weight_of
 from app.scripting.desk import ScriptDesk
-from facemodel.actions import ActionUnit, JawMotion
+from facemodel.actions import ActionUnit, Group, JawMotion
 from facemodel.project import Project
 
 
@@ -85,8 +85,35 @@ class UnitHandle:
 
     @property
     def letter(self) -> str:
-        """The intensity of FACS that is nearest to its weight, A to E; empty for none."""
-        return letter_of(self.weight)
+        """The intensity of FACS that its weight is scored as, A to E; empty for none."""
+        return letter_of(self.weight, self._unit)
+
+    @letter.setter
+    def letter(self, letter: str) -> None:
+        self.weight = weight_of(letter, self._unit)
+
+    @property
+    def letters(self) -> tuple[float, ...]:
+        """The weights at which A, B, C, D and E begin."""
+        return self._unit.letters
+
+    @letters.setter
+    def letters(self, letters: Sequence[float]) -> None:
+        self._do(lambda project: intensities.with_letters(project, self._number, letters), "Intensities of")
+
+    @property
+    def group(self) -> Group:
+        """Where it is listed, see `facemodel.actions.GROUP_TITLES`."""
+        return self._unit.group
+
+    @group.setter
+    def group(self, group: Group) -> None:
+        self._do(lambda project: units.with_group(project, self._number, group), "Group of")
+
+    @property
+    def paired(self) -> bool:
+        """Whether left and right move apart, see `split` and `join`."""
+        return self._unit.paired
 
     @property
     def muscles(self) -> dict[str, float]:
@@ -120,10 +147,10 @@ class UnitHandle:
         """Give left and right one slider."""
         self._do(partial(units.joined, number=self._number), "Join")
 
-    def merge(self, other: UnitHandle | int) -> None:
-        """Do what another unit does, too, in its place."""
+    def merge(self, other: UnitHandle | int, own: float = 1.0, share: float = 1.0) -> None:
+        """Do so much of its own, and of what another unit does, in place of both."""
         number = other if isinstance(other, int) else other.number
-        self._do(partial(units.merged, number=self._number, other=number), "Merge")
+        self._do(partial(units.merged, number=self._number, other=number, own=own, share=share), "Merge")
 
     def move(self, place: int) -> None:
         """Put it at another place of the list, counted from 0."""

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from facemodel.actions import EXAGGERATED, ActionUnit, Emotion, JawMotion
+from facemodel.actions import EXAGGERATED, LETTERS, ActionUnit, Emotion, JawMotion
 from facemodel.io.schema import (
     CosineRecord,
     EmotionRecord,
@@ -132,7 +132,7 @@ def _ring_of(record: SphincterRecord) -> Sphincter:
 
 
 def unit_json(unit: ActionUnit) -> dict[str, Any]:
-    """What `UnitRecord` reads; a limit that is the usual one is left out."""
+    """What `UnitRecord` reads; a limit and letters that are the usual ones are left out."""
     jaw = unit.jaw
     document: dict[str, Any] = {
         "number": int(unit.number),
@@ -149,6 +149,8 @@ def unit_json(unit: ActionUnit) -> dict[str, Any]:
     return document
 
 
+    if unit.letters != LETTERS:
+        document["letters"] = [float(weight) for weight in unit.letters]
 def unit_of(record: UnitRecord) -> ActionUnit:
     """The action unit of a record."""
     return ActionUnit(
@@ -164,14 +166,16 @@ def unit_of(record: UnitRecord) -> ActionUnit:
     )
 
 
+        letters=record.letters,
 def emotion_json(emotion: Emotion) -> dict[str, Any]:
-    """What `EmotionRecord` reads."""
-    return {"name": emotion.name, "weights": weights_json(emotion.weights)}
+    """What `EmotionRecord` reads; one that is not on the pad has no place."""
+    place = {} if emotion.place is None else {"place": [float(x) for x in emotion.place]}
+    return {"name": emotion.name, "weights": weights_json(emotion.weights), **place}
 
 
 def emotion_of(record: EmotionRecord) -> Emotion:
     """The emotion of a record."""
-    return Emotion(record.name, dict(record.weights))
+    return Emotion(record.name, dict(record.weights), record.place)
 
 
 def settings_json(settings: Settings) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Final, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from facemodel.actions import EXAGGERATED
+from facemodel.actions import EXAGGERATED, LETTERS
 from facemodel.io.damage import DamageError
 from facemodel.muscles.muscle import Model
 
@@ -37,11 +37,14 @@ MOST_VIA, MOST_KNOTS = 100, 100
 
 Name = Annotated[str, Field(min_length=1, max_length=100)]
 Key = Annotated[str, Field(pattern=r"^[\w-]{1,100}$")]
+Colour = Annotated[str, Field(pattern=r"^(#[0-9a-f]{6})?$")]
 Text = Annotated[str, Field(max_length=20_000)]
 Length = Annotated[float, Field(ge=-1e5, le=1e5)]
 Positive = Annotated[float, Field(gt=0, le=1e5)]
 Share = Annotated[float, Field(ge=-1, le=1)]
 Weight = Annotated[float, Field(ge=-LARGEST_WEIGHT, le=LARGEST_WEIGHT)]
+Limit = Annotated[float, Field(gt=0, le=EXAGGERATED)]
+Inside = Annotated[float, Field(ge=0, le=1)]
 Index = Annotated[int, Field(ge=0, lt=1 << 31)]
 Point = tuple[Length, Length, Length]
 
@@ -174,7 +177,14 @@ class UnitRecord(Record):
     amplitude: Annotated[float, Field(ge=0, le=1e5)]
     jaw: JawMotionRecord | None
     note: Text
-    limit: Annotated[float, Field(gt=0, le=EXAGGERATED)] = EXAGGERATED
+    limit: Limit = EXAGGERATED
+    letters: tuple[Limit, Limit, Limit, Limit, Limit] = LETTERS
+
+    @model_validator(mode="after")
+    def _ordered(self) -> UnitRecord:
+        if any(after <= before for before, after in pairwise(self.letters)):
+            raise ValueError("the intensities A to E have to begin one after the other")
+        return self
 
 
 class EmotionRecord(Record):
@@ -183,6 +193,7 @@ class EmotionRecord(Record):
     name: Name
     weights: dict[Name, Weight]
 
+    place: tuple[Inside, Inside] | None = None
 
 class SettingsRecord(Record):
     """See `facemodel.project.Settings`."""

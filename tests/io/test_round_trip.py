@@ -24,6 +24,7 @@ numbers = st.floats(-1e5, 1e5)
 weights = st.floats(-100, 100)
 texts = st.text(max_size=40).filter(lambda text: text.isprintable() or "\n" in text)
 names = st.text(st.characters(codec="utf-8"), min_size=1, max_size=30)
+places = st.none() | st.tuples(st.floats(0, 1), st.floats(0, 1))
 
 
 @st.composite
@@ -39,6 +40,7 @@ def action_units(draw: st.DrawFn) -> tuple[ActionUnit, ...]:
             amplitude=draw(st.floats(0, 1e5)),
             jaw=draw(st.none() | st.builds(JawMotion, st.floats(-90, 90), numbers)),
             note=draw(texts),
+            letters=tuple(draw(st.lists(st.floats(0.01, 2), min_size=5, max_size=5, unique=True).map(sorted))),
         )
         for number in numbers_of_units
     )
@@ -59,7 +61,7 @@ def projects(draw: st.DrawFn) -> Project:
         face=face,
         muscles=base.muscles,
         units=units,
-        emotions=tuple(Emotion(name, draw(some)) for name in emotions),
+        emotions=tuple(Emotion(name, draw(some), draw(places)) for name in emotions),
         expression=draw(some),
         settings=Settings(draw(st.sampled_from(["hct9", "hct12"])), draw(st.integers(1, 16))),
     )
