@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from app.authoring import emotions, units
-from app.authoring.blending import Place, blended
+from app.authoring.blending import blended
 from app.authoring.facs_table import filled_from_facs
 from app.authoring.jaw import with_jaw_axis
 from app.expression_text import format_expression, parse_expression
@@ -16,7 +16,7 @@ from app.scripting.desk import ScriptDesk
 from app.scripting.muscle_handle import MuscleHandle
 from app.scripting.painting import Painter, Where
 from app.scripting.unit_handle import UnitHandle
-from facemodel.actions import expand, find_emotion, resolve
+from facemodel.actions import Place, expand, find_emotion, resolve
 from facemodel.face import Face
 from facemodel.laying import collection
 from facemodel.laying.clipboard import muscles_from, muscles_text
