@@ -146,11 +146,11 @@ def unit_json(unit: ActionUnit) -> dict[str, Any]:
     }
     if unit.limit != EXAGGERATED:
         document["limit"] = float(unit.limit)
+    if unit.letters != LETTERS:
+        document["letters"] = [float(weight) for weight in unit.letters]
     return document
 
 
-    if unit.letters != LETTERS:
-        document["letters"] = [float(weight) for weight in unit.letters]
 def unit_of(record: UnitRecord) -> ActionUnit:
     """The action unit of a record."""
     return ActionUnit(
@@ -163,10 +163,10 @@ def unit_of(record: UnitRecord) -> ActionUnit:
         jaw=None if record.jaw is None else JawMotion(record.jaw.degrees, record.jaw.slide),
         note=record.note,
         limit=record.limit,
+        letters=record.letters,
     )
 
 
-        letters=record.letters,
 def emotion_json(emotion: Emotion) -> dict[str, Any]:
     """What `EmotionRecord` reads; one that is not on the pad has no place."""
     place = {} if emotion.place is None else {"place": [float(x) for x in emotion.place]}

@@ -192,8 +192,8 @@ class EmotionRecord(Record):
 
     name: Name
     weights: dict[Name, Weight]
-
     place: tuple[Inside, Inside] | None = None
+
 
 class SettingsRecord(Record):
     """See `facemodel.project.Settings`."""
