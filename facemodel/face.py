@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+import numpy as np
+
 from facemodel.mesh import Mesh
 from fem.types import BoolArray, FloatArray, IntArray
 
@@ -58,6 +60,44 @@ class Jaw:
     teeth: FloatArray
 
 
+Triple = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Pose:
+    """How a skull was moved since it was made.
+
+    Attributes
+    ----------
+    shift : millimetres along x, y and z of the head
+    turn : degrees about x, then y, then z of the head
+    scale : times its size along its own axes x, y and z
+    """
+
+    shift: Triple = (0.0, 0.0, 0.0)
+    turn: Triple = (0.0, 0.0, 0.0)
+    scale: Triple = (1.0, 1.0, 1.0)
+
+
+AT_REST = Pose()
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """The pose of a skull, and what it takes to put it back.
+
+    Attributes
+    ----------
+    pose : how it was moved
+    centre : (3,) millimetres, what it is turned about and scaled from, before it is moved
+    feet : (N, 3) its `Skull.anchors` as they were before it was moved; none while it lies where it was made
+    """
+
+    pose: Pose = AT_REST
+    centre: FloatArray = field(default_factory=lambda: np.zeros(3))
+    feet: FloatArray = field(default_factory=lambda: np.zeros((0, 3)))
+
+
 @dataclass(frozen=True, eq=False)
 class Skull:
     """The bone under the skin.
@@ -68,6 +108,7 @@ class Skull:
     anchors : (N, 3) for every skin vertex the point of the bone its main spring goes to
     jawbone : (N,) in 0..1, the share of that point which belongs to the mandible
     jaw : the hinge
+    placement : how all of it was moved since it was made, imported or snapped
     """
 
     cranium: Mesh
@@ -75,6 +116,7 @@ class Skull:
     anchors: FloatArray
     jawbone: FloatArray
     jaw: Jaw
+    placement: Placement = field(default_factory=Placement)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from app.commands.command import Command, array_bytes
-from facemodel.face import Jaw, Skull
+from facemodel.face import Jaw, Placement, Skull
 from facemodel.mesh import Mesh
 from facemodel.project import Project
 from facemodel.sameness import same
@@ -19,6 +19,7 @@ class Bones:
     cranium: Mesh | None = None
     mandible: Mesh | None = None
     jaw: Jaw | None = None
+    placement: Placement | None = None
 
     @property
     def members(self) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from facemodel.face import Eye, Face, Jaw, Layers, Part, Skull
+from facemodel.face import Eye, Face, Jaw, Layers, Part, Placement, Pose, Skull
 from facemodel.io.damage import DamageError
 from facemodel.io.members import Members
 from facemodel.io.records import point_json
@@ -20,6 +20,9 @@ LARGEST_COORDINATE = 1e5
 """Millimetres; a hundred metres is no head."""
 
 LARGEST_STIFFNESS = 1e9
+FEET = "face/skull/feet"
+"""Only in files of a face whose skull was moved; files from before it could be moved have none."""
+
 SHARES_SUM_TO_ONE = 1e-3
 """Rows of shares are normalised; stored in single precision they may miss one by this much."""
 
@@ -43,6 +46,8 @@ def face_arrays(face: Face) -> dict[str, NDArray[Any]]:
         "face/layers/stiffness": layers.stiffness,
         "face/layers/supports": layers.supports.astype(np.int8),
     }
+    if len(skull.placement.feet):
+        arrays[FEET] = skull.placement.feet
     for number, part in enumerate(face.parts):
         place = f"face/parts/{number}"
         arrays |= _mesh_arrays(place, part.mesh)
@@ -57,7 +62,8 @@ def _mesh_arrays(place: str, mesh: Mesh) -> dict[str, NDArray[Any]]:
 
 def face_json(face: Face) -> dict[str, Any]:
     """The readable part of a face: what `FaceRecord` reads."""
-    jaw = face.skull.jaw
+    jaw, placement = face.skull.jaw, face.skull.placement
+    moved = {"placement": _placement_json(placement)} if len(placement.feet) else {}
     return {
         "key": face.key,
         "title": face.title,
@@ -68,7 +74,14 @@ def face_json(face: Face) -> dict[str, Any]:
         ],
         "jaw": {"axis": [point_json(condyle) for condyle in jaw.axis], "teeth": point_json(jaw.teeth)},
         "parts": [{"name": part.name, "kind": part.kind, "carrier": part.carrier} for part in face.parts],
+        **moved,
     }
+
+
+def _placement_json(placement: Placement) -> dict[str, Any]:
+    pose = placement.pose
+    members = {"shift": pose.shift, "turn": pose.turn, "scale": pose.scale, "centre": placement.centre}
+    return {name: point_json(np.array(values)) for name, values in members.items()}
 
 
 def face_of(record: FaceRecord, arrays: Mapping[str, NDArray[Any]], member: str) -> Face:
@@ -162,7 +175,16 @@ def _skull(record: FaceRecord, members: Members, count: int, member: str) -> Sku
         anchors=members.floats("face/skull/anchors", (count, 3), -LARGEST_COORDINATE, LARGEST_COORDINATE),
         jawbone=members.floats("face/skull/jawbone", (count,), 0, 1),
         jaw=Jaw(axis, np.array(record.jaw.teeth)),
+        placement=_placement(record, members, count),
     )
+
+
+def _placement(record: FaceRecord, members: Members, count: int) -> Placement:
+    if record.placement is None:
+        return Placement()
+    pose = Pose(record.placement.shift, record.placement.turn, record.placement.scale)
+    feet = members.floats(FEET, (count, 3), -LARGEST_COORDINATE, LARGEST_COORDINATE)
+    return Placement(pose, np.array(record.placement.centre), feet)
 
 
 def _layers(members: Members, count: int) -> Layers:

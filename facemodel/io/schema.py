@@ -78,6 +78,15 @@ class JawRecord(Record):
     teeth: Point
 
 
+class PlacementRecord(Record):
+    """See `facemodel.face.Placement`; its feet are the member ``face/skull/feet``."""
+
+    shift: Point
+    turn: Point
+    scale: tuple[Positive, Positive, Positive]
+    centre: Point
+
+
 class FaceRecord(Record):
     """See `facemodel.face.Face`; its arrays are the members under ``face``."""
 
@@ -88,6 +97,7 @@ class FaceRecord(Record):
     eyes: tuple[EyeRecord, EyeRecord]
     jaw: JawRecord
     parts: tuple[PartRecord, ...]
+    placement: PlacementRecord | None = None
 
 
 class FibreRecord(Record):
