@@ -128,7 +128,10 @@ class Layers:
     direction : (N, 3) first principal direction of alpha and beta, a vector that is projected on the skin
     stretching : (N, 2) principal stiffnesses alpha along and across it, N/mm
     bending : (N, 3) beta as b11, b22, b12 in the same frame, N mm
-    stiffness : (N,) tissue stiffness along the normal per area of skin, N/mm^3
+    stiffness : (N,) tissue stiffness along the normal per area of skin, N/mm^3, at the depth of the bone
+    thickness : (N,) of the tissue between skin and bone, millimetres; 0 where nobody painted it and it is as thick as
+        the bone is deep.  Thicker tissue of the same stuff is the softer spring; how thick the skin itself is,
+        stretching and bending tell
     supports : (N,) int, see `fem.Support`
     """
 
@@ -136,6 +139,7 @@ class Layers:
     stretching: FloatArray
     bending: FloatArray
     stiffness: FloatArray
+    thickness: FloatArray
     supports: IntArray
 
 

@@ -159,7 +159,7 @@ class FaceSolver:
         return HeldFace(surfaces, tissue, supports, system)
 
     def _tissue_of(self, face: Face, assembler: Assembler, vertices: IntArray) -> Tissue:
-        made_from = (assembler, face.layers.stiffness, face.skull.anchors, face.skull.jawbone)
+        made_from = (assembler, face.layers.stiffness, face.layers.thickness, face.skull.anchors, face.skull.jawbone)
         return self._tissue.get(made_from, lambda: face_tissue(face, vertices))
 
     def _solve_columns(

@@ -45,6 +45,7 @@ def _common(project: Project) -> tuple[Any, ...]:
         face_material(face, vertices),
         face_supports(face, vertices),
         face.layers.stiffness[vertices],
+        face.layers.thickness[vertices],
         skull.anchors,
     )
     return project.settings, skin, held, carried

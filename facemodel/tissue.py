@@ -16,6 +16,23 @@ LEAST_SLANT = 0.02
 """Least tangential share of the struts that is scaled up; flatter struts carry nothing along the surface."""
 
 
+def bone_depth(face: Face) -> FloatArray:
+    """How far (N,) the bone lies below every vertex of the skin along its main spring, millimetres."""
+    return np.asarray(np.linalg.norm(face.skull.anchors - face.skin.positions, axis=1))
+
+
+def tissue_stiffness(face: Face) -> FloatArray:
+    """Stiffness (N,) of the main springs per area of skin, N/mm^3.
+
+    The painted stiffness is that of tissue as thick as the bone is deep, modulus over depth.  Where another thickness
+    is painted the modulus stays, and the spring is modulus over thickness (design section 4: 1/c = sum of l_h / c_h
+    over l, for one tissue).
+    """
+    painted = face.layers.thickness > 0
+    share = bone_depth(face) / np.where(painted, face.layers.thickness, 1.0)
+    return np.where(painted, share, 1.0) * face.layers.stiffness
+
+
 def tissue_springs(face: Face, vertices: IntArray) -> tuple[SpringSet, FloatArray, FloatArray]:
     """Main springs and struts of some skin vertices, with stiffness per area of skin.
 
@@ -48,6 +65,6 @@ def tissue_springs(face: Face, vertices: IntArray) -> tuple[SpringSet, FloatArra
     slant = 1 - np.einsum("ij,ij->i", struts, main[strut_from]) ** 2
     tangential = np.bincount(strut_from, slant, len(vertices)) / 2
     scale = 1 / (SLIDING_RATIO * np.maximum(tangential, LEAST_SLANT))
-    stiffness = face.layers.stiffness[vertices]
+    stiffness = tissue_stiffness(face)[vertices]
     share = np.concatenate([stiffness, (stiffness * scale)[strut_from]])
     return SpringSet(head, directions, share), face.skull.anchors[foot], face.skull.jawbone[foot]

@@ -26,8 +26,8 @@ def bare_project(face_key: str) -> Project:
 
 def unpainted(face: Face) -> Face:
     """The face with every layer at its default: even skin over even tissue, held nowhere but at its rim."""
-    layers, everywhere = face.layers, np.arange(len(face.skin.positions))
+    everywhere = np.arange(len(face.skin.positions))
     for layer in PAINT_LAYERS:
-        plain = np.full(len(everywhere), float(layer.default))
-        layers = layer.delta(layers, face.skin, everywhere, plain).done(layers)
-    return replace(face, layers=layers)
+        delta = layer.delta(face, everywhere, layer.unpainted(face))
+        face = replace(face, layers=delta.done(face.layers))
+    return face

@@ -17,7 +17,7 @@ from fem.types import IntArray
 Rows = np.ndarray[Any, np.dtype[Any]]
 """Values of an array, one row per vertex."""
 
-ArrayName = Literal["direction", "stretching", "bending", "stiffness", "supports", "anchors", "jawbone"]
+ArrayName = Literal["direction", "stretching", "bending", "stiffness", "thickness", "supports", "anchors", "jawbone"]
 """What is painted: the arrays of `facemodel.face.Layers`, and those of `facemodel.face.Skull` with a row per vertex of
 the skin."""
 

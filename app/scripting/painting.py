@@ -35,7 +35,7 @@ class Painter:
     def values(self, layer: str) -> FloatArray:
         """The values (N,) of a layer at all skin vertices; a copy."""
         face = self._desk.project.face
-        return np.array(paint_layer(layer).values(face.layers, face.skin))
+        return np.array(paint_layer(layer).values(face))
 
     def set_values(self, layer: str, values: Iterable[float]) -> None:
         """Give all skin vertices other values (N,) of a layer; those out of range stop at its ends."""
@@ -44,7 +44,7 @@ class Painter:
         everywhere = np.arange(len(face.skin.positions))
         if given.shape != everywhere.shape or not np.isfinite(given).all():
             raise PaintError(f"“{layer}” takes {len(everywhere)} numbers, one for each vertex of the skin.")
-        delta = own.delta(face.layers, face.skin, everywhere, given)
+        delta = own.delta(face, everywhere, given)
         self._desk.document.run(paint_deltas((delta,), f"Set {own.title.lower()}"))
 
     def paint(
@@ -75,10 +75,10 @@ class Painter:
         brush = Brush(radius, strength, hardness, mode, _number(own, value))
         if at is None:
             everywhere = np.ones(len(face.skin.positions), dtype=np.bool_)
-            delta = filled(surface, face.layers, own, brush, everywhere)
+            delta = filled(surface, face, own, brush, everywhere)
         else:
             partners = self._desk.ground.partners(face) if mirror else None
-            stroke = Stroke(surface, face.layers, own, brush, partners)
+            stroke = Stroke(surface, face, own, brush, partners)
             for place in (at,) if to is None else (at, to):
                 stroke.extend(self._point(place))
             delta = stroke.delta()

@@ -18,7 +18,14 @@ from facemodel.painting.geodesic import SurfacePoint
 from facemodel.painting.stroke import Stroke, Touch
 from fem.types import BoolArray
 
-VERBS: dict[Mode, str] = {"set": "Paint", "add": "Add to", "scale": "Scale", "smooth": "Smooth", "comb": "Comb"}
+VERBS: dict[Mode, str] = {
+    "set": "Paint",
+    "add": "Add to",
+    "scale": "Scale",
+    "smooth": "Smooth",
+    "comb": "Comb",
+    "erase": "Erase",
+}
 
 
 class BrushTool(Tool):
@@ -90,7 +97,7 @@ class BrushTool(Tool):
         stroke, self._stroke, self.busy = self._stroke, None, False
         if stroke is not None and self._skin is self._face.skin:
             vertices = np.flatnonzero(self._touched)
-            values = stroke.layer.values(self._face.layers, self._face.skin)
+            values = stroke.layer.values(self._face)
             self.bench.sight.working_changed.emit(Working(stroke.layer.key, vertices, values[vertices]))
 
     @property
@@ -101,7 +108,7 @@ class BrushTool(Tool):
         state, face = self.bench.brush.state, self._face
         return Stroke(
             self.bench.ground.surface(face),
-            face.layers,
+            face,
             state.paint_layer,
             state.brush(pointer.modifiers),
             self.bench.ground.partners(face) if state.mirror else None,
@@ -116,7 +123,7 @@ class BrushTool(Tool):
 
     def _pick(self, hit: Hit) -> None:
         layer, face = self.bench.brush.state.paint_layer, self._face
-        self.bench.brush.set_value(layer.picked(face.layers, face.skin, SurfacePoint(hit.triangle, hit.barycentric)))
+        self.bench.brush.set_value(layer.picked(face, SurfacePoint(hit.triangle, hit.barycentric)))
 
     def _redraw_ring(self) -> None:
         state, hit = self.bench.brush.state, self._last

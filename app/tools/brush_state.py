@@ -31,7 +31,7 @@ TURN = 15.0
 """Degrees by which a brush that adds turns the grain."""
 
 EMPHASIS = 3.0
-"""What a brush that sets paints, over what is there before anybody paints: at half strength a first stroke doubles it."""
+"""What a brush that sets paints, over what is there before anybody does: at half strength a first stroke doubles it."""
 
 STANDING = 90.0
 """Degrees that a brush sets the grain to: faces come with level grain."""
@@ -82,7 +82,7 @@ class BrushState:
         if "shift" in modifiers and "smooth" in MODES[layer.kind]:
             return Brush(self.radius, self.strength, self.hardness, "smooth")
         if "control" in modifiers:
-            value = _taken_away(layer, mode, value)
+            mode, value = _taken_away(mode, value)
         return Brush(self.radius, self.strength, self.hardness, mode, value)
 
 
@@ -142,13 +142,13 @@ def usual_value(layer: PaintLayer, mode: Mode) -> float:
     return STANDING if layer.kind == "angle" else EMPHASIS * layer.default
 
 
-def _taken_away(layer: PaintLayer, mode: Mode, value: float) -> float:
-    """The value with which a stroke does the opposite: subtract, divide, or bring back what nobody painted."""
+def _taken_away(mode: Mode, value: float) -> tuple[Mode, float]:
+    """How a stroke does the opposite: subtract, divide, or bring back what nobody painted."""
     if mode == "add":
-        return -value
+        return mode, -value
     if mode == "scale":
-        return 1 / value if value else 1.0
-    return layer.default if mode == "set" else value
+        return mode, 1 / value if value else 1.0
+    return ("erase" if mode == "set" else mode), value
 
 
 def _within(state: BrushState) -> BrushState:

@@ -56,14 +56,14 @@ def fill(bench: Bench, region: BoolArray, state: BrushState, pointer: Pointer | 
     locked = bench.regions.locked(face)
     free = region if locked is None else region & ~locked
     brush = state.brush(pointer.modifiers if pointer else frozenset())
-    delta = filled(bench.ground.surface(face), face.layers, state.paint_layer, brush, free)
+    delta = filled(bench.ground.surface(face), face, state.paint_layer, brush, free)
     document.run(paint_deltas((delta,), f"Fill {state.paint_layer.title.lower()}"))
 
 
 def like_values(face: Face, state: BrushState, vertex: int) -> BoolArray:
     """Vertices (N,) connected with one over values that are like its own, within the tolerance of the brush."""
     layer = state.paint_layer
-    values = layer.values(face.layers, face.skin)
+    values = layer.values(face)
     if layer.kind == "choice":
         return flood(face.skin, values, vertex, 0.0)
     if layer.kind == "angle":

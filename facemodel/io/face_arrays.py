@@ -20,6 +20,10 @@ LARGEST_COORDINATE = 1e5
 """Millimetres; a hundred metres is no head."""
 
 LARGEST_STIFFNESS = 1e9
+
+THICKNESS = "face/layers/thickness"
+"""Only in files of a face on which somebody painted it; files from before it could be painted have none."""
+
 FEET = "face/skull/feet"
 """Only in files of a face whose skull was moved; files from before it could be moved have none."""
 
@@ -46,6 +50,8 @@ def face_arrays(face: Face) -> dict[str, NDArray[Any]]:
         "face/layers/stiffness": layers.stiffness,
         "face/layers/supports": layers.supports.astype(np.int8),
     }
+    if layers.thickness.any():
+        arrays[THICKNESS] = layers.thickness
     if len(skull.placement.feet):
         arrays[FEET] = skull.placement.feet
     for number, part in enumerate(face.parts):
@@ -194,5 +200,8 @@ def _layers(members: Members, count: int) -> Layers:
         stretching=members.floats("face/layers/stretching", (count, 2), 0, most),
         bending=members.floats("face/layers/bending", (count, 3), 0, most),
         stiffness=members.floats("face/layers/stiffness", (count,), 0, most),
+        thickness=members.floats(THICKNESS, (count,), 0, LARGEST_COORDINATE)
+        if THICKNESS in members
+        else np.zeros(count),
         supports=members.indices("face/layers/supports", (count,), len(Support)),
     )

@@ -50,6 +50,9 @@ class Members:
             raise DamageError(f"{name}.npy", "marks nothing")
         return array
 
+    def __contains__(self, name: str) -> bool:
+        return name in self._arrays
+
     def finish(self) -> None:
         """Make sure that nothing is left over."""
         if self._arrays:

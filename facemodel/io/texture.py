@@ -105,7 +105,7 @@ def export_layer(
         If the file cannot be written.
     """
     skin = _skin(face, size)
-    values = layer.values(face.layers, face.skin)
+    values = layer.values(face)
     span = span if span is not None and layer.kind == "amount" else whole_span(layer)
     if layer.kind == "angle":
         colours, bits = encoded_lines(line_at(values)), 8
@@ -180,7 +180,7 @@ def import_layer(face: Face, layer: PaintLayer, path: Path, span: Span | None = 
     if lines:
         found = decoded_lines(read.of(picture.texels) / picture.white)
         clear = np.abs(found) >= FAINTEST
-        return layer.delta(face.layers, face.skin, skin.vertices[clear], angle_of(found[clear]))
+        return layer.delta(face, skin.vertices[clear], angle_of(found[clear]))
     if layer.kind == "choice":
         shares = picture.texels.reshape(-1)[read.nearest] / picture.white
         span = whole_span(layer)
@@ -189,7 +189,7 @@ def import_layer(face: Face, layer: PaintLayer, path: Path, span: Span | None = 
         span = span or noted or whole_span(layer)
     values = span.low + shares * (span.high - span.low)
     check_within(layer, values, whole_span(layer), f"“{path}”", TAME)
-    return layer.delta(face.layers, face.skin, skin.vertices, values)
+    return layer.delta(face, skin.vertices, values)
 
 
 def import_tensor(face: Face, path: Path, high: float | None = None) -> tuple[LayerDelta, LayerDelta]:

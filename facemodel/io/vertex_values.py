@@ -37,7 +37,7 @@ def export_values(face: Face, layer: PaintLayer, path: Path) -> None:
     ProjectError
         If the ending is another one, or the file cannot be written.
     """
-    values = layer.values(face.layers, face.skin)
+    values = layer.values(face)
     if _suffix(path, "saved") == ".npy":
         data = npy_bytes(values)
     else:
@@ -65,7 +65,7 @@ def import_values(face: Face, layer: PaintLayer, path: Path) -> LayerDelta:
     with naming(path, "opened"):
         vertices, values = _array(data, path, face) if suffix == ".npy" else _table(data, face)
     check_within(layer, values, whole_span(layer), f"“{path}”", "correct the file")
-    return layer.delta(face.layers, face.skin, vertices, values)
+    return layer.delta(face, vertices, values)
 
 
 def _suffix(path: Path, failed: str) -> str:

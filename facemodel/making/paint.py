@@ -82,5 +82,6 @@ def paint(skin: Mesh, solved: BoolArray, landmarks: Mapping[str, int]) -> Layers
         stretching=np.full((count, 2), STRETCHING),
         bending=np.full((count, 3), BENDING),
         stiffness=STIFFNESS * np.exp(log_factor),
+        thickness=np.zeros(count),
         supports=supports,
     )

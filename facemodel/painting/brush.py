@@ -13,12 +13,12 @@ from facemodel.painting.frames import turned
 from facemodel.painting.layers import Kind, PaintLayer
 from fem.types import FloatArray
 
-Mode = Literal["set", "add", "scale", "smooth", "comb"]
+Mode = Literal["set", "add", "scale", "smooth", "comb", "erase"]
 
 MODES: Mapping[Kind, tuple[Mode, ...]] = {
-    "amount": ("set", "add", "scale", "smooth"),
-    "angle": ("comb", "set", "add", "smooth"),
-    "choice": ("set",),
+    "amount": ("set", "add", "scale", "smooth", "erase"),
+    "angle": ("comb", "set", "add", "smooth", "erase"),
+    "choice": ("set", "erase"),
 }
 """What a brush can do to each kind of layer, the most usual first."""
 
@@ -35,8 +35,9 @@ class Brush:
     radius : geodesic, millimetres
     strength : 0 to 1, the share of the effect in the middle
     hardness : 0 to 1, the part of the radius over which the effect is the same before it fades
-    mode : ``set`` the value, ``add`` it, ``scale`` by it, ``smooth`` what is there, ``comb`` the grain along the stroke
-    value : in the layer's unit; the factor of ``scale``; smoothing and combing need none
+    mode : ``set`` the value, ``add`` it, ``scale`` by it, ``smooth`` what is there, ``comb`` the grain along the
+        stroke, ``erase`` what was painted
+    value : in the layer's unit; the factor of ``scale``; smoothing, combing and erasing need none
 
     Raises
     ------
@@ -94,7 +95,7 @@ def painted(kind: Kind, mode: Mode, before: FloatArray, weights: FloatArray, tar
     mode : of the brush
     before : (k,) values before the stroke
     weights : (k,) from 0 to 1
-    target : (k,) the brush's value, or what ``smooth`` and ``comb`` lead to
+    target : (k,) the brush's value, or what ``smooth``, ``comb`` and ``erase`` lead to
     """
     if kind == "choice":
         return np.where(weights > 0, target, before)

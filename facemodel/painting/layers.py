@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from facemodel.face import Layers
-from facemodel.mesh import Mesh
+from facemodel.face import Face
 from facemodel.painting.delta import LayerDelta, Member, layer_delta
 from facemodel.painting.frames import angle_of, direction_at, doubled, line_at, tangent_frames, wrapped
 from facemodel.painting.geodesic import SurfacePoint
+from facemodel.tissue import bone_depth
 from fem import Support
 from fem.types import FloatArray, IntArray
 
@@ -34,6 +34,7 @@ class PaintLayer:
     default : on a face that nobody has painted
     reason : why the range is as it is
     member, column : where its values are kept in `facemodel.face.Layers`
+    automatic : values (N,) that hold where nobody painted, which is kept as 0; without it the default does
     """
 
     key: str
@@ -46,35 +47,46 @@ class PaintLayer:
     reason: str
     member: Member
     column: int | None = None
+    automatic: Callable[[Face], FloatArray] | None = None
 
-    def values(self, layers: Layers, skin: Mesh) -> FloatArray:
+    def values(self, face: Face) -> FloatArray:
         """Its values (N,), in its unit; an array of their own."""
-        stored: NDArray[Any] = getattr(layers, self.member)
+        stored: NDArray[Any] = getattr(face.layers, self.member)
         if self.kind == "angle":
-            return angle_of(doubled(stored, tangent_frames(skin.normals)))
+            return angle_of(doubled(stored, tangent_frames(face.skin.normals)))
+        if self.automatic is not None:
+            return np.where(stored > 0, stored, self.unpainted(face))
         return np.array(stored if self.column is None else stored[:, self.column], dtype=np.float64)
 
-    def picked(self, layers: Layers, skin: Mesh, point: SurfacePoint) -> float:
+    def unpainted(self, face: Face) -> FloatArray:
+        """The values (N,) of a face that nobody has painted."""
+        if self.automatic is not None:
+            return np.clip(self.automatic(face), self.low, self.high)
+        return np.full(len(face.skin.positions), float(self.default))
+
+    def picked(self, face: Face, point: SurfacePoint) -> float:
         """Its value at a point of the skin, to paint with."""
-        corners = skin.triangles[point.triangle]
-        values, share = self.values(layers, skin)[corners], point.barycentric
+        corners = face.skin.triangles[point.triangle]
+        values, share = self.values(face)[corners], point.barycentric
         if self.kind == "angle":
             return float(angle_of(share @ line_at(values)[:, None])[0])
         return float(values[share.argmax()] if self.kind == "choice" else share @ values)
 
-    def delta(self, layers: Layers, skin: Mesh, vertices: IntArray, values: FloatArray) -> LayerDelta:
+    def delta(self, face: Face, vertices: IntArray, values: FloatArray) -> LayerDelta:
         """The change that gives some vertices (k,) other values (k,), which are put into the range."""
-        rows = getattr(layers, self.member)[vertices]
+        rows = getattr(face.layers, self.member)[vertices]
         fitting = self.fitting(values)
         if self.kind == "angle":
-            before = angle_of(doubled(rows, tangent_frames(skin.normals[vertices])))
-            other = fitting != before
-            rows[other] = direction_at(fitting, tangent_frames(skin.normals[vertices]))[other]
+            frames = tangent_frames(face.skin.normals[vertices])
+            other = fitting != angle_of(doubled(rows, frames))
+            rows[other] = direction_at(fitting, frames)[other]
+        elif self.automatic is not None:
+            rows[:] = np.where(fitting == self.unpainted(face)[vertices], 0.0, fitting)
         elif self.column is None:
             rows[:] = fitting
         else:
             rows[:, self.column] = fitting
-        return layer_delta(layers, self.member, vertices, rows)
+        return layer_delta(face.layers, self.member, vertices, rows)
 
     def fitting(self, values: FloatArray) -> FloatArray:
         """Values put into the range: angles by half turns, choices to the nearest one."""
@@ -86,6 +98,10 @@ class PaintLayer:
 
 STIFF_SKIN = "at most a skin of 2 mm and 1 MPa, the stiff end of what is measured; below zero it would pull by itself"
 THICK_SKIN = "at most a skin of 5 mm and 1 MPa (E t^3 / 12); below zero it would buckle by itself"
+DEEP_TISSUE = (
+    "at most a full cheek; tissue of no thickness would be infinitely stiff. Where nobody paints, it is as thick as "
+    "the bone is deep. How thick the skin itself is, stretching and bending tell"
+)
 FIRM_TISSUE = "at most cartilage of 1 MPa over a centimetre; below zero it would push off the bone"
 
 PAINT_LAYERS: tuple[PaintLayer, ...] = (
@@ -100,6 +116,9 @@ PAINT_LAYERS: tuple[PaintLayer, ...] = (
     PaintLayer("bending-across", "Bending across the grain", "N mm", "amount", 0, 10, 0.5, THICK_SKIN, "bending", 1),
     PaintLayer("bending-twist", "Twisting", "N mm", "amount", 0, 10, 0.5, THICK_SKIN, "bending", 2),
     PaintLayer("stiffness", "Tissue stiffness", "N/mm³", "amount", 0, 0.1, 0.004, FIRM_TISSUE, "stiffness"),
+    PaintLayer(
+        "thickness", "Tissue thickness", "mm", "amount", 0.2, 60, 8, DEEP_TISSUE, "thickness", automatic=bone_depth
+    ),
     PaintLayer(
         "supports", "Supports", "", "choice", 0, len(Support) - 1, 0, "each number is one kind of support", "supports"
     ),

@@ -7,7 +7,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from facemodel.errors import PaintError
-from facemodel.face import Layers
+from facemodel.face import Face
 from facemodel.mesh import Mesh
 from facemodel.painting.brush import Brush, check_mode, painted
 from facemodel.painting.delta import LayerDelta
@@ -110,7 +110,7 @@ def shrunk(mesh: Mesh, region: BoolArray, rings: int = 1) -> BoolArray:
     return ~grown(mesh, ~region, rings)
 
 
-def filled(surface: PaintSurface, layers: Layers, layer: PaintLayer, brush: Brush, region: BoolArray) -> LayerDelta:
+def filled(surface: PaintSurface, face: Face, layer: PaintLayer, brush: Brush, region: BoolArray) -> LayerDelta:
     """Do to a whole region what the brush does in its middle; its radius and hardness do not count.
 
     Raises
@@ -122,10 +122,12 @@ def filled(surface: PaintSurface, layers: Layers, layer: PaintLayer, brush: Brus
     if brush.mode == "comb":
         raise PaintError("A region cannot be combed as a whole; set its angle, or comb it with the brush.")
     vertices = np.flatnonzero(region)
-    values = layer.values(layers, surface.mesh)
+    values = layer.values(face)
     target = np.full(len(values), brush.value)
     if brush.mode == "smooth":
         target = smoothed(layer.kind, values, surface.smoothing)
+    elif brush.mode == "erase":
+        target = layer.unpainted(face)
     weights = np.full(len(vertices), brush.strength)
     after = painted(layer.kind, brush.mode, values[vertices], weights, target[vertices])
-    return layer.delta(layers, surface.mesh, vertices, after)
+    return layer.delta(face, vertices, after)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from facemodel.face import Layers
+from facemodel.face import Face
 from facemodel.painting.brush import Brush, check_mode, falloff, painted
 from facemodel.painting.delta import LayerDelta
 from facemodel.painting.frames import angle_of, doubled
@@ -39,7 +39,7 @@ class Stroke:
     Parameters
     ----------
     surface : the skin at rest
-    layers : the layers before the stroke
+    face : as it is before the stroke
     layer, brush : what is painted with what
     partners : (N,) vertex across the midline or -1, to paint both sides alike; see `mirror.mirror_partners`
     locked : (N,) vertices that keep their value
@@ -53,7 +53,7 @@ class Stroke:
     def __init__(
         self,
         surface: PaintSurface,
-        layers: Layers,
+        face: Face,
         layer: PaintLayer,
         brush: Brush,
         partners: IntArray | None = None,
@@ -63,12 +63,14 @@ class Stroke:
         self.layer = layer
         # A choice is made or not made: there is no half of it.
         self.brush = replace(brush, hardness=1.0, strength=1.0) if layer.kind == "choice" else brush
-        self._surface, self._layers = surface, layers
+        self._surface, self._face = surface, face
         self._partners, self._locked = partners, locked
-        self._before = layer.values(layers, surface.mesh)
+        self._before = layer.values(face)
         self._target: FloatArray = np.full(len(self._before), brush.value)
         if brush.mode == "smooth":
             self._target = smoothed(layer.kind, self._before, surface.smoothing)
+        elif brush.mode == "erase":
+            self._target = layer.unpainted(face)
         self._weights: FloatArray = np.zeros(len(self._before))
         self._grain: NDArray[np.complex128] = np.zeros(len(self._before), dtype=np.complex128)
         self._tip: Tip | None = None
@@ -148,7 +150,7 @@ class Stroke:
     def delta(self) -> LayerDelta:
         """What the stroke has changed so far, as one step to do and undo."""
         touched = np.flatnonzero(self._weights)
-        return self.layer.delta(self._layers, self._surface.mesh, touched, self._values(touched))
+        return self.layer.delta(self._face, touched, self._values(touched))
 
 
 def both_sides(

@@ -56,6 +56,7 @@ def small_face(title: str = "Patch") -> Face:
         stretching=np.full((count, 2), 0.05),
         bending=np.tile([0.5, 0.5, 0.5], (count, 1)),
         stiffness=np.full(count, 0.002),
+        thickness=np.zeros(count),
         supports=np.where(rim, Support.CLAMPED, Support.FREE).astype(np.int64),
     )
     skull = Skull(

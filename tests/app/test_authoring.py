@@ -230,7 +230,7 @@ def test_a_bare_copy_has_the_head_and_nothing_else() -> None:
     assert (bare.muscles, bare.units, bare.emotions) == ((), (), ())
     assert bare.face.skin is ada.face.skin or np.array_equal(bare.face.skin.positions, ada.face.skin.positions)
     for layer in PAINT_LAYERS:
-        assert layer.values(bare.face.layers, bare.face.skin) == pytest.approx(layer.default)
+        assert layer.values(bare.face) == pytest.approx(layer.unpainted(bare.face))
     assert savable(bare).units == ()
 
 

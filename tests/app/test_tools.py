@@ -81,7 +81,7 @@ def stroke(box: ToolBox, *places: tuple[float, float], modifiers: frozenset[str]
 
 def drawn(face: Face, layer: str, seen: list[Working]) -> FloatArray:
     """Return the values that a viewport shows that has drawn all it was told."""
-    values = LAYER[layer].values(face.layers, face.skin)
+    values = LAYER[layer].values(face)
     for each in seen:
         values[each.vertices] = each.values
     return values

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from facemodel.face import Eye, Face, Jaw, Layers, Skull
 from facemodel.mesh import Mesh
 from facemodel.muscles import Fibre, Muscle, Sphincter
 from fem.types import FloatArray
@@ -22,6 +23,27 @@ def domed_skin(size: float = 60.0, segments: int = 30) -> Mesh:
     skin = flat_skin(size, segments)
     x, y, _ = skin.positions.T
     return skin.moved(np.column_stack([x, y, -(x**2 + y**2) / (2 * size)]))
+
+
+def face_on(skin: Mesh, layers: Layers, depth: float = 8.0) -> Face:
+    """Return a face of one patch of skin over a bone that lies evenly below it, without symmetry."""
+    here = np.zeros(3)
+    return Face(
+        key="patch",
+        title="Patch",
+        skin=skin,
+        solved=np.ones(len(skin.triangles), dtype=np.bool_),
+        uv=skin.positions[:, :2],
+        mirror=np.arange(len(skin.positions)),
+        chart=skin.positions[:, :2],
+        landmarks={},
+        eyes=(Eye("L", here, 12.0), Eye("R", here, 12.0)),
+        parts=(),
+        skull=Skull(
+            skin, skin, skin.positions - [0, 0, depth], np.zeros(len(skin.positions)), Jaw(np.zeros((2, 3)), here)
+        ),
+        layers=layers,
+    )
 
 
 def fibre_muscle(fibres: list[tuple[list[float], list[float]]], **changes: Any) -> Muscle:

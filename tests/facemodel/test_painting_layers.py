@@ -1,6 +1,7 @@
 """The table of layers: everything of a face's tissue is in it, with units, ranges and exact ways in and out."""
 
 import dataclasses
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from facemodel.painting.geodesic import SurfacePoint
 from facemodel.painting.layers import LAYER, PAINT_LAYERS, SUPPORT_TITLES, PaintLayer
 from fem import Support
 from fem.types import FloatArray
-from tests.facemodel.skin import domed_skin
+from tests.facemodel.skin import domed_skin, face_on
 
 DOME = domed_skin(segments=10)
 COUNT = len(DOME.positions)
@@ -29,15 +30,17 @@ def layers_of(count: int) -> Layers:
         stretching=rng.uniform(0.05, 1.0, (count, 2)),
         bending=rng.uniform(0.1, 2.0, (count, 3)),
         stiffness=rng.uniform(0.001, 0.02, count),
+        thickness=rng.uniform(2.0, 20.0, count),
         supports=rng.integers(0, len(Support), count),
     )
 
 
 LAYERS = layers_of(COUNT)
+FACE = face_on(DOME, LAYERS)
 
 
 def test_every_painted_number_of_a_face_is_a_layer() -> None:
-    columns = {"direction": 1, "stretching": 2, "bending": 3, "stiffness": 1, "supports": 1}
+    columns = {"direction": 1, "stretching": 2, "bending": 3, "stiffness": 1, "thickness": 1, "supports": 1}
     assert set(columns) == {field.name for field in dataclasses.fields(Layers)}
     for member, count in columns.items():
         of_member = [layer for layer in PAINT_LAYERS if layer.member == member]
@@ -50,7 +53,7 @@ def test_every_painted_number_of_a_face_is_a_layer() -> None:
 def test_the_shipped_faces_are_within_the_ranges(key: str, shipped: object) -> None:
     face: Face = shipped(key)  # type: ignore[operator]
     for layer in PAINT_LAYERS:
-        values = layer.values(face.layers, face.skin)
+        values = layer.values(face)
         assert layer.low <= values.min()
         assert values.max() <= layer.high
         assert layer.low <= layer.default <= layer.high
@@ -69,21 +72,21 @@ def test_what_is_put_in_comes_out(layer: PaintLayer) -> None:
     vertices = rng.permutation(COUNT)[:40]
     wanted = rng.uniform(layer.low, layer.high, 40)
     wanted = np.rint(wanted) if layer.kind == "choice" else wanted
-    done = layer.delta(LAYERS, DOME, vertices, wanted).done(LAYERS)
-    found = layer.values(done, DOME)
+    done = layer.delta(FACE, vertices, wanted).done(LAYERS)
+    found = layer.values(replace(FACE, layers=done))
     assert found[vertices] == pytest.approx(wanted, abs=1e-9)
     others = np.setdiff1d(np.arange(COUNT), vertices)
-    assert np.array_equal(found[others], layer.values(LAYERS, DOME)[others])
+    assert np.array_equal(found[others], layer.values(FACE)[others])
     for other in PAINT_LAYERS:
         if other is not layer:
-            assert np.array_equal(other.values(done, DOME), other.values(LAYERS, DOME))
+            assert np.array_equal(other.values(replace(FACE, layers=done)), other.values(FACE))
 
 
 @settings(max_examples=30)
 @given(ANGLE)
 def test_the_grain_lies_in_the_skin_at_its_angle_to_the_horizontal(angle: float) -> None:
     vertices = np.arange(COUNT)
-    done = LAYER["grain"].delta(LAYERS, DOME, vertices, np.full(COUNT, angle)).done(LAYERS)
+    done = LAYER["grain"].delta(FACE, vertices, np.full(COUNT, angle)).done(LAYERS)
     frames = tangent_frames(DOME.normals)
     assert np.einsum("ij,ij->i", done.direction, DOME.normals) == pytest.approx(0.0, abs=1e-12)
     assert np.linalg.norm(done.direction, axis=1) == pytest.approx(1.0)
@@ -103,7 +106,7 @@ def test_a_line_turned_by_half_a_turn_is_the_same(angle: float) -> None:
 
 def test_a_grain_that_is_set_to_what_it_is_keeps_its_vectors() -> None:
     grain = LAYER["grain"]
-    assert len(grain.delta(LAYERS, DOME, np.arange(COUNT), grain.values(LAYERS, DOME))) == 0
+    assert len(grain.delta(FACE, np.arange(COUNT), grain.values(FACE))) == 0
 
 
 def test_on_the_crown_the_subjects_left_stands_in_for_the_horizontal() -> None:
@@ -119,15 +122,15 @@ def test_what_is_picked_lies_between_the_corners(triangle: int, share: FloatArra
     point = SurfacePoint(triangle, share)
     corners = DOME.triangles[triangle]
     for layer in PAINT_LAYERS:
-        values = layer.values(LAYERS, DOME)[corners]
-        picked = layer.picked(LAYERS, DOME, point)
+        values = layer.values(FACE)[corners]
+        picked = layer.picked(FACE, point)
         if layer.kind == "choice":
             assert picked == values[share.argmax()]
         elif layer.kind == "amount":
             assert picked == pytest.approx(values @ share)
         else:
             assert -90.0 <= picked < 90.0
-    assert LAYER["stiffness"].picked(LAYERS, DOME, SurfacePoint(triangle, np.array([0.0, 1.0, 0.0]))) == pytest.approx(
+    assert LAYER["stiffness"].picked(FACE, SurfacePoint(triangle, np.array([0.0, 1.0, 0.0]))) == pytest.approx(
         LAYERS.stiffness[corners[1]]
     )
 
@@ -136,6 +139,6 @@ def test_lines_at_89_and_minus_89_degrees_pick_as_90() -> None:
     grain = LAYER["grain"]
     values = np.full(COUNT, 89.0)
     values[DOME.triangles[0, 1]] = -89.0
-    layers = grain.delta(LAYERS, DOME, np.arange(COUNT), values).done(LAYERS)
-    picked = grain.picked(layers, DOME, SurfacePoint(0, np.array([0.5, 0.5, 0.0])))
+    layers = grain.delta(FACE, np.arange(COUNT), values).done(LAYERS)
+    picked = grain.picked(replace(FACE, layers=layers), SurfacePoint(0, np.array([0.5, 0.5, 0.0])))
     assert picked == pytest.approx(-90.0, abs=1e-6) or picked == pytest.approx(90.0, abs=1e-6)

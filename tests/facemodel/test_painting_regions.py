@@ -1,5 +1,7 @@
 """Regions: lasso, flood, ball, grown, shrunk and filled."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -106,10 +108,10 @@ def test_a_ball_is_round_on_the_skin(face: Face) -> None:
 )
 def test_a_region_is_filled_and_nothing_else(face: Face, mode: str, value: float, expected: float) -> None:
     surface, layer = PaintSurface(face.skin), LAYER["stiffness"]
-    even = layer.delta(face.layers, face.skin, np.arange(len(face.mirror)), np.full(len(face.mirror), 0.004))
+    even = layer.delta(face, np.arange(len(face.mirror)), np.full(len(face.mirror), 0.004))
     layers = even.done(face.layers)
     region = face.skin.positions[:, 1] > 60
-    delta = filled(surface, layers, layer, Brush(5.0, 1.0, 0.0, mode, value), region)  # type: ignore[arg-type]
+    delta = filled(surface, replace(face, layers=layers), layer, Brush(5.0, 1.0, 0.0, mode, value), region)  # type: ignore[arg-type]
     done = delta.done(layers)
     assert done.stiffness[region] == pytest.approx(expected)
     assert np.array_equal(done.stiffness[~region], layers.stiffness[~region])
@@ -119,10 +121,10 @@ def test_a_region_is_filled_and_nothing_else(face: Face, mode: str, value: float
 def test_supports_of_a_region_are_chosen_at_once(face: Face) -> None:
     region = face.skin.positions[:, 1] > 60
     brush = Brush(5.0, 0.3, 0.0, "set", Support.VALUE)
-    done = filled(PaintSurface(face.skin), face.layers, LAYER["supports"], brush, region).done(face.layers)
+    done = filled(PaintSurface(face.skin), face, LAYER["supports"], brush, region).done(face.layers)
     assert np.all(done.supports[region] == Support.VALUE)
 
 
 def test_a_region_cannot_be_combed(face: Face) -> None:
     with pytest.raises(PaintError, match="cannot be combed as a whole"):
-        filled(PaintSurface(face.skin), face.layers, LAYER["grain"], Brush(5.0, mode="comb"), face.mirror >= 0)
+        filled(PaintSurface(face.skin), face, LAYER["grain"], Brush(5.0, mode="comb"), face.mirror >= 0)

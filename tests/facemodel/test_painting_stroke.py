@@ -17,7 +17,7 @@ from facemodel.painting.stroke import Stroke, Touch
 from facemodel.painting.surface import PaintSurface
 from fem import Support
 from fem.types import BoolArray, FloatArray, IntArray
-from tests.facemodel.skin import flat_skin
+from tests.facemodel.skin import face_on, flat_skin
 
 SHEET = PaintSurface(flat_skin())
 COUNT = len(SHEET.mesh.positions)
@@ -31,11 +31,13 @@ def layers_of(count: int, seed: int = 4) -> Layers:
         stretching=rng.uniform(0.05, 1.0, (count, 2)),
         bending=rng.uniform(0.1, 2.0, (count, 3)),
         stiffness=rng.uniform(0.001, 0.02, count),
+        thickness=rng.uniform(2.0, 20.0, count),
         supports=rng.integers(0, 2, count),
     )
 
 
 LAYERS = layers_of(COUNT)
+FACE = face_on(SHEET.mesh, LAYERS)
 
 
 def point(*place: float) -> SurfacePoint:
@@ -49,7 +51,7 @@ def stroked(
     partners: IntArray | None = None,
     locked: BoolArray | None = None,
 ) -> Stroke:
-    stroke = Stroke(SHEET, LAYERS, LAYER[layer], brush, partners, locked)
+    stroke = Stroke(SHEET, FACE, LAYER[layer], brush, partners, locked)
     for place in places:
         stroke.extend(point(*place))
     return stroke
@@ -57,7 +59,7 @@ def stroked(
 
 def after(stroke: Stroke) -> FloatArray:
     """Return the values of the whole layer after a stroke."""
-    return stroke.layer.values(stroke.delta().done(LAYERS), SHEET.mesh)
+    return stroke.layer.values(replace(FACE, layers=stroke.delta().done(LAYERS)))
 
 
 def from_segment(start: tuple[float, float], end: tuple[float, float]) -> FloatArray:
@@ -106,14 +108,14 @@ def test_what_is_told_along_the_way_is_what_is_there_at_the_end(
     places: list[tuple[float, float]], paint: PaintLayer, data: st.DataObject
 ) -> None:
     mode: Mode = data.draw(st.sampled_from(MODES[paint.kind]))
-    stroke = Stroke(SHEET, LAYERS, paint, Brush(7.0, 0.8, 0.2, mode, 1.0))
-    told = paint.values(LAYERS, SHEET.mesh)
+    stroke = Stroke(SHEET, FACE, paint, Brush(7.0, 0.8, 0.2, mode, 1.0))
+    told = paint.values(FACE)
     for place in places:
         touch: Touch = stroke.extend(point(*place))
         told[touch.vertices] = touch.values
     delta = stroke.delta()
     done = delta.done(LAYERS)
-    assert paint.values(done, SHEET.mesh) == pytest.approx(told, abs=1e-9)
+    assert paint.values(replace(FACE, layers=done)) == pytest.approx(told, abs=1e-9)
     assert_undone(delta.undone(done))
 
 
@@ -151,7 +153,7 @@ def test_a_hard_brush_of_full_strength_leaves_exactly_its_value() -> None:
 @pytest.mark.parametrize("paint", [each for each in PAINT_LAYERS if each.kind == "amount"], ids=lambda e: e.key)
 def test_values_stay_in_their_range(paint: PaintLayer) -> None:
     for amount in (1e6, -1e6):
-        stroke = Stroke(SHEET, LAYERS, paint, Brush(8.0, 1.0, 0.0, "add", amount))
+        stroke = Stroke(SHEET, FACE, paint, Brush(8.0, 1.0, 0.0, "add", amount))
         values = stroke.extend(point(0.0, 0.0)).values
         assert values.min() >= paint.low
         assert values.max() <= paint.high
@@ -159,7 +161,7 @@ def test_values_stay_in_their_range(paint: PaintLayer) -> None:
 
 
 def test_pressure_changes_evenly_along_the_way() -> None:
-    stroke = Stroke(SHEET, LAYERS, LAYER["stiffness"], Brush(4.0, 1.0, 1.0, "set", 0.05))
+    stroke = Stroke(SHEET, FACE, LAYER["stiffness"], Brush(4.0, 1.0, 1.0, "set", 0.05))
     stroke.extend(point(-16.0, 0.0), 0.0)
     stroke.extend(point(16.0, 0.0), 1.0)
     share = (after(stroke) - LAYERS.stiffness) / (0.05 - LAYERS.stiffness)
@@ -199,7 +201,7 @@ def test_smoothing_evens_out_and_never_exceeds_what_is_around() -> None:
 
 def test_smoothing_leaves_what_is_even() -> None:
     even = replace(LAYERS, stiffness=np.full(COUNT, 0.004))
-    stroke = Stroke(SHEET, even, LAYER["stiffness"], Brush(10.0, 1.0, 0.0, "smooth"))
+    stroke = Stroke(SHEET, replace(FACE, layers=even), LAYER["stiffness"], Brush(10.0, 1.0, 0.0, "smooth"))
     assert stroke.extend(point(0.0, 0.0)).values == pytest.approx(0.004, rel=1e-12)
 
 
@@ -228,8 +230,8 @@ def test_a_press_without_a_way_combs_nothing() -> None:
 
 def test_half_strength_turns_the_grain_half_the_way() -> None:
     grain = np.full(COUNT, 80.0)
-    layers = LAYER["grain"].delta(LAYERS, SHEET.mesh, np.arange(COUNT), grain).done(LAYERS)
-    stroke = Stroke(SHEET, layers, LAYER["grain"], Brush(6.0, 0.5, 1.0, "comb"))
+    layers = LAYER["grain"].delta(FACE, np.arange(COUNT), grain).done(LAYERS)
+    stroke = Stroke(SHEET, replace(FACE, layers=layers), LAYER["grain"], Brush(6.0, 0.5, 1.0, "comb"))
     stroke.extend(point(-10.0, 0.0))
     touch = stroke.extend(point(10.0, -20.0 * np.tan(np.radians(20.0))))
     assert across(touch.values, 120.0) == pytest.approx(0.0, abs=1e-6), "80° towards 160°, the way of the stroke"
@@ -240,10 +242,10 @@ def test_modes_that_make_no_sense_are_refused() -> None:
         for mode in ("set", "add", "scale", "smooth", "comb"):
             brush = Brush(5.0, mode=mode, value=1.0)
             if mode in MODES[layer.kind]:
-                Stroke(SHEET, LAYERS, layer, brush)
+                Stroke(SHEET, FACE, layer, brush)
             else:
                 with pytest.raises(PaintError, match=f"“{layer.title}” knows no “{mode}”"):
-                    Stroke(SHEET, LAYERS, layer, brush)
+                    Stroke(SHEET, FACE, layer, brush)
 
 
 @pytest.mark.parametrize(
@@ -266,14 +268,14 @@ def surface(face: Face) -> PaintSurface:
 def test_a_mirrored_stroke_paints_both_sides_alike(face: Face, surface: PaintSurface, layer: str, mode: Mode) -> None:
     places = [face.skin.positions[face.landmarks[name]] for name in ("cheek_L", "mouth_corner_L", "chin")]
     paint, brush = LAYER[layer], Brush(9.0, 0.8, 0.2, mode, {"stiffness": 0.01, "grain": 30.0, "supports": 1.0}[layer])
-    mirrored = Stroke(surface, face.layers, paint, brush, mirror_partners(face))
-    alone = Stroke(surface, face.layers, paint, brush)
+    mirrored = Stroke(surface, face, paint, brush, mirror_partners(face))
+    alone = Stroke(surface, face, paint, brush)
     for way in places:
         for stroke in (mirrored, alone):
             stroke.extend(surface.path.nearest(way)[0])
-    before = paint.values(face.layers, face.skin)
-    both = paint.values(mirrored.delta().done(face.layers), face.skin)
-    one = paint.values(alone.delta().done(face.layers), face.skin)
+    before = paint.values(face)
+    both = paint.values(replace(face, layers=mirrored.delta().done(face.layers)))
+    one = paint.values(replace(face, layers=alone.delta().done(face.layers)))
     sign = -1.0 if layer == "grain" else 1.0
     touched = both != before
     assert np.array_equal(touched[face.mirror], touched)

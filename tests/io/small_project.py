@@ -80,6 +80,7 @@ def small_face() -> Face:
             stretching=np.tile([0.03, 0.02], (n, 1)),
             bending=np.tile([0.4, 0.4, 0.2], (n, 1)),
             stiffness=np.full(n, 0.001),
+            thickness=np.zeros(n),
             supports=np.where(rim, Support.CLAMPED, Support.FREE).astype(np.int64),
         ),
         provenance="Made up for the tests. CC0.",

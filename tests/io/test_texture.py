@@ -45,11 +45,12 @@ def face() -> Face:
         stretching=0.4 + 0.2 * waves[:, :2],
         bending=1.0 + 0.5 * waves,
         stiffness=0.01 + 0.005 * waves[:, 0],
+        thickness=10.0 + 4.0 * waves[:, 1],
         supports=((y // 20).astype(np.int64) % len(Support)).astype(plain.layers.supports.dtype),
     )
     angles = 60 * np.sin(y / 30)
-    layers = LAYER["grain"].delta(layers, plain.skin, np.arange(len(x)), angles).done(layers)
-    return replace(plain, layers=layers)
+    lively = replace(plain, layers=layers)
+    return replace(lively, layers=LAYER["grain"].delta(lively, np.arange(len(x)), angles).done(layers))
 
 
 @pytest.fixture(scope="module")
@@ -61,13 +62,14 @@ def bare(face: Face) -> Face:
         stretching=np.full((count, 2), 1.9),
         bending=np.full((count, 3), 9.0),
         stiffness=np.full(count, 0.09),
+        thickness=np.full(count, 39.0),
         supports=face.layers.supports * 0,
     )
     return replace(face, layers=empty)
 
 
 def read_back(bare: Face, layer: PaintLayer, path: Path, span: Span | None = None) -> FloatArray:
-    return layer.values(import_layer(bare, layer, path, span).done(bare.layers), bare.skin)
+    return layer.values(replace(bare, layers=import_layer(bare, layer, path, span).done(bare.layers)))
 
 
 @pytest.mark.parametrize("bits", [8, 16])
@@ -78,7 +80,7 @@ def test_what_goes_out_comes_in_within_a_step(
     """But for the few vertices that the export itself names, in lids and nostrils, where many share a texel."""
     path = tmp_path / "layer.png"
     loss = export_layer(face, layer, path, 2048, bits)  # type: ignore[arg-type]
-    found, expected = read_back(bare, layer, path), layer.values(face.layers, face.skin)
+    found, expected = read_back(bare, layer, path), layer.values(face)
     drawn = textured_skin(face).vertices
     step = (layer.high - layer.low) / (2**bits - 1)
     off = drawn[np.abs(found - expected)[drawn] > step]
@@ -96,11 +98,11 @@ def test_on_a_coarse_sheet_everything_comes_back(tmp_path: Path, layer: PaintLay
     values = rng.uniform(layer.low, layer.high, len(sheet.skin.positions))
     painted = replace(
         sheet,
-        layers=layer.delta(sheet.layers, sheet.skin, np.arange(len(values)), values).done(sheet.layers),
+        layers=layer.delta(sheet, np.arange(len(values)), values).done(sheet.layers),
     )
     loss = export_layer(painted, layer, tmp_path / "layer.png", 64, bits)  # type: ignore[arg-type]
     assert len(loss.vertices) == 0
-    found, expected = read_back(sheet, layer, tmp_path / "layer.png"), layer.values(painted.layers, sheet.skin)
+    found, expected = read_back(sheet, layer, tmp_path / "layer.png"), layer.values(painted)
     away = np.abs(found - expected)
     if layer.kind == "choice":
         assert np.array_equal(found, expected)
@@ -196,7 +198,7 @@ def test_a_span_that_does_not_hold_all_values_is_refused(tmp_path: Path, face: F
 
 def tensors(layers: Layers, face: Face) -> FloatArray:
     """Return level, upright and mixed entries (N, 3) of the stretching tensors."""
-    angle = np.radians(LAYER["grain"].values(layers, face.skin))
+    angle = np.radians(LAYER["grain"].values(replace(face, layers=layers)))
     (along, across), c, s = layers.stretching.T, np.cos(angle), np.sin(angle)
     return np.column_stack([along * c**2 + across * s**2, along * s**2 + across * c**2, (along - across) * c * s])
 
@@ -247,7 +249,7 @@ def test_pictures_of_other_programs_are_read(tmp_path: Path, face: Face) -> None
     assert np.array_equal(delta.after[:, :2], delta.before[:, :2])
     Image.new("RGB", (100, 60), (0, 127, 0)).save(tmp_path / "upright.png")
     upright = import_layer(face, LAYER["grain"], tmp_path / "upright.png").done(face.layers)
-    found = LAYER["grain"].values(upright, face.skin)[textured_skin(face).vertices]
+    found = LAYER["grain"].values(replace(face, layers=upright))[textured_skin(face).vertices]
     assert np.abs(np.abs(found) - 90).max() < 0.5
 
 
@@ -380,11 +382,11 @@ def test_numbers_come_back_exactly(tmp_path: Path, face: Face, bare: Face, layer
     path = tmp_path / f"values{suffix}"
     export_values(face, layer, path)
     found = import_values(bare, layer, path).done(bare.layers)
-    expected = layer.values(face.layers, face.skin)
+    expected = layer.values(face)
     if layer.kind == "angle":
-        assert layer.values(found, bare.skin) == pytest.approx(expected, abs=1e-9)
+        assert layer.values(replace(bare, layers=found)) == pytest.approx(expected, abs=1e-9)
     else:
-        assert np.array_equal(layer.values(found, bare.skin), expected)
+        assert np.array_equal(layer.values(replace(bare, layers=found)), expected)
     assert len(import_values(face, layer, path)) == 0
 
 

@@ -12,7 +12,14 @@ from ui.theme.metrics import GRID
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
 
-MODE_TITLES: dict[Mode, str] = {"set": "Set", "add": "Add", "scale": "Scale", "smooth": "Smooth", "comb": "Comb"}
+MODE_TITLES: dict[Mode, str] = {
+    "set": "Set",
+    "add": "Add",
+    "scale": "Scale",
+    "smooth": "Smooth",
+    "comb": "Comb",
+    "erase": "Erase",
+}
 
 MODE_TIPS: dict[Mode, str] = {
     "set": "Bring what is painted to the value",
@@ -20,6 +27,7 @@ MODE_TIPS: dict[Mode, str] = {
     "scale": "Multiply by the factor; hold Ctrl to divide",
     "smooth": "Even out; any brush does while Shift is held",
     "comb": "Lay the grain along the stroke",
+    "erase": "Bring back what nobody has painted; hold Ctrl while setting",
 }
 
 LARGEST_FACTOR = 4.0

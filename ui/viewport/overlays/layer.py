@@ -92,7 +92,7 @@ class LayerDrawing:
         """Take over what the document has, and draw it."""
         layer, brush = self._layer, self._parts.bench.brush.state
         if layer is not None and not self._stroke:
-            self._values = layer.values(self._face.layers, self._face.skin)
+            self._values = layer.values(self._face)
             painting = brush.layer == layer.key and brush.mode == "set"
             self._map = layer_map(layer, self._values, brush.value if painting else 0.0)
         self._scene.repaint()
