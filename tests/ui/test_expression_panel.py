@@ -5,8 +5,10 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLineEdit
 
+from app.authoring.intensities import with_letters
+from app.authoring.units import with_limit
 from app.document import Document
 from app.view import View
 from tests.ui.hands import drag, enter, leave
@@ -63,7 +65,7 @@ def test_the_split_row_moves_one_side_alone_and_its_bar_shows_both(panel, docume
     assert document.shown["12L"] == pytest.approx(0.5, abs=0.02)
     assert document.shown.get("12R", 0.0) == 0.0
     assert right.weight == 0.0
-    assert row.slider.number == f"{document.shown['12L']:.2f} · 0.00"
+    assert row.slider.number == f"C {document.shown['12L']:.2f} · 0.00"
 
 
 def test_linked_sides_follow_each_other_even_where_a_row_is_split(panel, document, view):
@@ -242,3 +244,46 @@ def test_a_tooltip_names_muscle_and_millimetres(patch):
 def test_the_view_is_told_of_the_link_and_tells_it(panel, view: View):
     view.change(linked=False)
     assert not panel.link.isChecked()
+
+
+def typed(slider, text: str) -> None:
+    QTest.mouseDClick(slider, Qt.MouseButton.LeftButton)
+    line = slider.findChild(QLineEdit)
+    line.selectAll()
+    QTest.keyClicks(line, text)
+    QTest.keyClick(line, Qt.Key.Key_Return)
+
+
+@pytest.mark.parametrize("text", ["c", "12C", "60%"])
+def test_a_letter_of_facs_typed_into_a_row_sets_it_and_is_shown(panel, document, text):
+    typed(panel.rows[12].slider, text)
+    assert document.shown == {"12L": 0.6, "12R": 0.6}
+    assert panel.rows[12].slider.number == "C 0.60"
+    assert document.history.done == ("Lip corner puller",)
+
+
+def test_the_score_of_another_unit_is_not_taken(panel, document):
+    typed(panel.rows[12].slider, "17C")
+    assert document.shown == {}
+    assert panel.rows[12].slider.findChild(QLineEdit).property("wrong")
+
+
+def test_letters_that_begin_elsewhere_are_shown_at_once(panel, document):
+    document.set_weights({"17": 0.3})
+    assert panel.rows[17].slider.number == "B 0.30"
+    document.edit(with_letters(document.project, 17, (0.05, 0.1, 0.15, 0.25, 0.9)), "Intensities")
+    assert panel.rows[17].slider.number == "D 0.30"
+
+
+def test_the_bar_of_a_unit_ends_at_its_limit(panel, document):
+    document.edit(with_limit(document.project, 17, 0.4), "Limit")
+    slider = panel.rows[17].slider
+    drag(slider, 0.0, 0.5)
+    assert document.shown["17"] == pytest.approx(0.2, abs=0.01)
+    drag(slider, 0.0, 1.0, Qt.KeyboardModifier.ControlModifier)
+    assert document.shown["17"] == 0.4
+    QTest.keyClick(slider, Qt.Key.Key_Home)
+    QTest.keyClick(slider, Qt.Key.Key_End)
+    assert document.shown["17"] == 0.4
+    typed(slider, "1")
+    assert slider.weight == document.shown["17"] == 0.4

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from app.document import Document
+from app.intensity import letter_of, typed_weight
 from app.sides import both_sides
 from app.view import View
 from facemodel.actions import ActionUnit, Expression
@@ -15,6 +16,7 @@ from ui.theme.apply import current_theme
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
 from ui.widgets.activation_slider import ActivationSlider
+from ui.widgets.weight_gestures import WeightScale
 
 NUMBER_WIDTH = 3 * GRID
 BUTTON = 22
@@ -74,6 +76,8 @@ class UnitRow(QWidget):
         """Stand for the same unit made of other muscles."""
         self.unit = unit
         self.slider.setToolTip(unit_tooltip(unit, titles))
+        for slider in (self.slider, *self.sides):
+            slider.scale = weight_scale(unit)
 
     def unfold(self, unfolded: bool) -> None:
         """Show left and right apart, if it has them."""
@@ -151,11 +155,17 @@ class UnitRow(QWidget):
 
     def _slider(self, label: str, side: str, fields: tuple[str, ...]) -> ActivationSlider:
         slider = ActivationSlider(label, side)  # type: ignore[arg-type]
+        slider.scale = weight_scale(self.unit)
         slider.previewed.connect(lambda weight: self.preview(fields, weight))
         slider.committed.connect(lambda: self._document.commit())
         slider.cancelled.connect(lambda: self._document.cancel_preview())
         slider.hovered.connect(lambda inside: self._point_at(fields if inside else ()))
         return slider
+
+
+def weight_scale(unit: ActionUnit) -> WeightScale:
+    """How far the sliders of a unit go, and how their weights are scored."""
+    return WeightScale(unit.limit, lambda weight: letter_of(weight, unit), lambda text: typed_weight(text, unit))
 
 
 def _button(glyph: str, text: str) -> QToolButton:

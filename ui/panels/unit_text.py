@@ -38,7 +38,7 @@ def unit_tooltip(unit: ActionUnit, titles: MuscleTitles) -> str:
         escape(", ".join(moved)),
         f"{unit.amplitude:g} mm at 1",
         escape(unit.note),
-        "Double-click types · right-click resets · Ctrl past 1 · Shift finer",
+        "Double-click types 0.6 or C · right-click resets · Ctrl past 1 · Shift finer",
     ]
     return "<br>".join(line for line in lines if line)
 

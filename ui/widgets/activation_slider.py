@@ -17,7 +17,7 @@ from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID, ROW
 from ui.widgets.bar_hands import BarHands
 from ui.widgets.bar_paint import Bar, Fill, paint_bar
-from ui.widgets.weight_gestures import Drag, dragged, stepped
+from ui.widgets.weight_gestures import USUAL, Drag, WeightScale, dragged, stepped
 
 FillSide = Literal["left", "right", "both"]
 
@@ -29,7 +29,8 @@ class ActivationSlider(BarHands, QAbstractSlider):
     """Shows one weight, or those of left and right together, and lets the hand change it.
 
     Dragging is relative: the fill follows the pointer.  Ctrl goes past 1, Shift is finer, Esc restores.  Arrow keys
-    step, Home and End go to 0 and 1, Enter or a double click edits the number, Backspace or a right click resets.
+    step, Home and End go to the ends of the bar, Enter or a double click edits the number, Backspace or a right click
+    resets.
 
     Signals
     -------
@@ -48,6 +49,7 @@ class ActivationSlider(BarHands, QAbstractSlider):
         super().__init__(parent)
         self.label = label
         self.side: FillSide = side
+        self._scale = USUAL
         self._weights = (0.0, 0.0)
         self.setOrientation(Qt.Orientation.Horizontal)
         self.setRange(0, int(LARGEST_WEIGHT * PERCENT))
@@ -66,8 +68,22 @@ class ActivationSlider(BarHands, QAbstractSlider):
     @property
     def number(self) -> str:
         """The number as it is written on the bar."""
-        left, right = self._weights
-        return f"{left:.2f}" if left == right else f"{left:.2f} · {right:.2f}"
+        left, right = map(self._scale.text, self._weights)
+        return left if self._weights[0] == self._weights[1] else f"{left} · {right}"
+
+    @property
+    def scale(self) -> WeightScale:
+        """How far it goes, and how its weight is told and typed."""
+        return self._scale
+
+    @scale.setter
+    def scale(self, scale: WeightScale) -> None:
+        self._scale = scale
+        self.blockSignals(True)
+        self.setRange(0, round(scale.limit * PERCENT))
+        self.setValue(round(self.weight * PERCENT))
+        self.blockSignals(False)
+        self.update()
 
     def set_weight(self, weight: float) -> None:
         """Show a weight; emits nothing."""
@@ -103,7 +119,7 @@ class ActivationSlider(BarHands, QAbstractSlider):
         """The fill follows the pointer."""
         if self._drag is None:
             return
-        self._drag = dragged(self._drag, event.position().x(), self.width(), event.modifiers())
+        self._drag = dragged(self._drag, event.position().x(), self.width(), event.modifiers(), self._scale)
         if self._drag.moving:
             self._show_and_tell(self._drag.weight)
 
@@ -115,10 +131,11 @@ class ActivationSlider(BarHands, QAbstractSlider):
         """Draw the bar."""
         theme = current_theme()
         left, right = self._weights
+        full = self._scale.full
         if self.side == "both" and left != right:
-            fills: tuple[Fill, ...] = (Fill(left, theme.left), Fill(right, theme.right))
+            fills: tuple[Fill, ...] = (Fill(left / full, theme.left), Fill(right / full, theme.right))
         else:
-            fills = (Fill(self.weight, getattr(theme, self.side)),)
+            fills = (Fill(self.weight / full, getattr(theme, self.side)),)
         bar = Bar(
             label=self.label,
             number=self.number,
@@ -135,13 +152,16 @@ class ActivationSlider(BarHands, QAbstractSlider):
 
     def _enter(self, value: float) -> None:
         self._close_editor()
-        self.set_now(min(max(value, 0.0), LARGEST_WEIGHT))
+        self.set_now(min(max(value, 0.0), self._scale.limit))
 
     def _written(self) -> str:
         return f"{self.weight:g}"
 
     def _stepped(self, key: int, modifiers: Qt.KeyboardModifier) -> float | None:
-        return stepped(self.weight, key, modifiers)
+        return stepped(self.weight, key, modifiers, self._scale)
+
+    def _read(self, text: str) -> float:
+        return self._scale.read(text)
 
     def _grasp(self, x: float) -> Drag:
         self.hovered.emit(False)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QContextMenuEvent, QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy
 
+from app.arithmetic import evaluate
 from ui.theme.metrics import GRID, ROW
 from ui.widgets.number_edit import NumberEdit
 from ui.widgets.number_scale import NumberDrag
@@ -37,8 +38,12 @@ class BarHands:
     The widget says what its number is: `reset`, and the members below it that begin with an underscore and are
     not defined here: ``_written`` is the number as it is opened for typing, ``_stepped`` what a key asks for,
     ``_grasp`` the drag that a press begins, ``_restore`` shows what a drag began with, ``_show_and_tell`` shows
-    and previews a number, ``_enter`` takes a typed one.
+    and previews a number, ``_enter`` takes a typed one.  It may say how what is typed is read.
     """
+
+    def _read(self, text: str) -> float:
+        """The number that a typed text means; raises `NumberError` if it means none."""
+        return evaluate(text)
 
     def _get_ready(self, label: str) -> None:
         """Be a bar in one row of a panel; called by the widget once it is constructed."""
@@ -62,7 +67,7 @@ class BarHands:
     def edit(self) -> None:
         """Open the number for typing."""
         if self._editor is None and self.isEnabled():
-            self._editor = NumberEdit(self, self._written())
+            self._editor = NumberEdit(self, self._written(), self._read)
             self._editor.entered.connect(self._enter)
             self._editor.dismissed.connect(self._close_editor)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QToolTip, QWidget
@@ -13,6 +15,12 @@ from app.errors import NumberError
 class NumberEdit(QLineEdit):
     """Edits one number; it reports the value once and is then done.
 
+    Parameters
+    ----------
+    parent : the control that it lies over
+    text : what is there to begin with
+    read : the number that a text means; raises `NumberError`, whose sentence is then shown
+
     Signals
     -------
     entered(float) : Enter was pressed on something that has a value
@@ -22,8 +30,9 @@ class NumberEdit(QLineEdit):
     entered = Signal(float)
     dismissed = Signal()
 
-    def __init__(self, parent: QWidget, text: str) -> None:
+    def __init__(self, parent: QWidget, text: str, read: Callable[[str], float] = evaluate) -> None:
         super().__init__(text, parent)
+        self._read = read
         self._done = False
         self.setAccessibleName("Number or sum")
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -39,7 +48,7 @@ class NumberEdit(QLineEdit):
         if self._done:
             return
         try:
-            value = evaluate(self.text())
+            value = self._read(self.text())
         except NumberError as error:
             self._mark_wrong(True)
             QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), str(error), self)
