@@ -57,7 +57,7 @@ def shown(qtbot, qapp: QApplication) -> Callable[[QWidget], QWidget]:
         widget.show()
         qtbot.waitExposed(widget)
         widget.activateWindow()
-        QApplication.processEvents()
+        qtbot.waitUntil(widget.isActiveWindow)
         return widget
 
     return show

@@ -69,6 +69,11 @@ class ActionBinding(QObject):
             if action.kind != "command":
                 shown.setChecked(action.checked(self._context))
 
+    def settle(self) -> None:
+        """Catch up with the state if it has changed: a key may come sooner than the menus follow."""
+        if self._state_timer.isActive():
+            self.refresh()
+
     def perform(self, key: str) -> None:
         """Do an action by its id."""
         for action in self.actions:

@@ -68,6 +68,15 @@ class Canvas(QtInteractor):
         self._rendered = True
         self.ask_frame()
 
+    def close(self) -> None:
+        """Let go of VTK's window and of Qt's context.
+
+        The interactor keeps Qt's surface, which is no QObject: its Python name would outlive it, and whatever Qt puts
+        at the same place in memory later would be taken for a surface.
+        """
+        super().close()
+        self._forget_context()
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Tell VTK of the Alt key too, which its Qt widget leaves out."""
         self.iren.interactor.SetAltKey(bool(event.modifiers() & Qt.KeyboardModifier.AltModifier))

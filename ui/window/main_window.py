@@ -25,7 +25,7 @@ from ui.panels.console_panel import ConsolePanel
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.face_information import FaceInformation
 from ui.panels.muscle_text import muscle_label
-from ui.panels.muscles.deeds import MUSCLE_ACTIONS
+from ui.panels.muscles.actions import MUSCLE_ACTIONS
 from ui.viewport.tool_hands import ToolHands
 from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
@@ -126,8 +126,9 @@ class MainWindow(QMainWindow):
         self.show_dock("workspace")
 
     def event(self, event: QEvent) -> bool:
-        """Tab goes through the fields of a panel; only over the face it means the next workspace."""
+        """Keys meet the state as it is; Tab goes through a panel's fields, over the face to the next workspace."""
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            self.binding.settle()
             walking = event.key() == Qt.Key.Key_Tab and not event.modifiers()
             if walking and self.focusWidget() is not self.viewport.canvas:
                 event.accept()

@@ -14,10 +14,13 @@ from ui.window.action_binding import ActionBinding
 
 def fill_menus(bar: QMenuBar, binding: ActionBinding, docks: Sequence[QAction] = ()) -> None:
     """Make the menus anew; the switches of the docks stand at the head of “Window”."""
+    old = [action.menu() for action in bar.actions()]
     bar.clear()
+    for menu in old:
+        menu.deleteLater()
     for title in MENUS:
-        menu = bar.addMenu(title)
-        menu.setToolTipsVisible(False)
+        menu = QMenu(title, bar)
+        bar.addMenu(menu)
         if title == "Window" and docks:
             menu.addActions(list(docks))
             menu.addSeparator()
@@ -41,4 +44,6 @@ def _fill(menu: QMenu, actions: Sequence[Action], depth: int, binding: ActionBin
         if title is None:
             menu.addAction(binding.qt[action.id])
         else:
-            _fill(menu.addMenu(title), inner.pop(title), depth + 1, binding)
+            deeper = QMenu(title, menu)
+            menu.addMenu(deeper)
+            _fill(deeper, inner.pop(title), depth + 1, binding)

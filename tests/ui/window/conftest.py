@@ -64,6 +64,7 @@ def open_window(qtbot, settings: UserSettings, solution: Solution) -> Iterator[C
         window.show()
         qtbot.waitExposed(window)
         window.activateWindow()
+        qtbot.waitUntil(window.isActiveWindow)
         if wait:
             qtbot.waitUntil(lambda: document.solution is not None, timeout=20_000)
             qtbot.waitUntil(lambda: window.viewport.shows_face, timeout=20_000)

@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QOpenGLContext, QSurface
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QToolBar, QToolButton, QWidget
 
@@ -102,3 +103,19 @@ def test_undo_is_named_in_the_menu(window, document):
     document.set_weights({"12L": 0.5})
     window.binding.refresh()
     assert window.binding.qt["edit.undo"].text() == "Undo Lip corner puller L"
+
+
+def test_a_key_acts_on_what_has_just_changed(window, document):
+    document.set_weights({"12L": 0.5}, "Smile")
+    QTest.keyClick(window, Qt.Key.Key_Z, CTRL)
+    assert document.history.done == ()
+
+
+def test_a_closed_window_keeps_nothing_that_belonged_to_its_drawing(window):
+    def kept() -> set[type]:
+        return {type(value) for value in vars(window.viewport.canvas).values() if isinstance(value, drawing)}
+
+    drawing = (QSurface, QOpenGLContext)
+    assert kept()
+    window.close()
+    assert not kept()
