@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -49,6 +50,19 @@ class View:
             self.change(muscle=last, others=kept - {last})
         else:
             self.change(muscle=muscle, others=kept)
+
+    def hide(self, keys: Iterable[str], on: bool = True) -> None:
+        """Draw some muscles no longer, which also lets go of them, or draw them again."""
+        asked = frozenset(keys)
+        hidden = self._state.hidden | asked if on else self._state.hidden - asked
+        kept = self._state.selected - asked if on else self._state.selected
+        muscle = self._state.muscle if self._state.muscle in kept else min(kept, default="")
+        self.change(hidden=hidden, muscle=muscle, others=kept - {muscle})
+
+    def lock(self, keys: Iterable[str], on: bool = True) -> None:
+        """Keep some muscles from being changed by hand, or no longer."""
+        asked = frozenset(keys)
+        self.change(locked=self._state.locked | asked if on else self._state.locked - asked)
 
     def look_from(self, view: ViewName) -> None:
         """Ask for a view; a turning head stops, so that the view can be seen."""

@@ -21,7 +21,7 @@ Source = str | JawMotion
 Recipe = tuple[tuple[Source, float], ...]
 """Sources and their weights, in order."""
 
-FOR_PEOPLE = {"name", "side", "title", "group", "linked"}
+FOR_PEOPLE = {"name", "side", "title", "group", "linked", "colour"}
 """Members of a muscle that name, list or pair it and have no part in what it does."""
 
 

@@ -20,7 +20,7 @@ from fem.types import FloatArray
 Place = Sequence[float] | FloatArray
 """A point, three millimetres."""
 
-SPOKEN = frozenset(("title", "group", "model"))
+SPOKEN = frozenset(("title", "group", "colour", "model"))
 """Members for people that are no parameters of a model."""
 
 
@@ -65,6 +65,7 @@ class MuscleHandle:
         setters: dict[str, Callable[[Muscle], Muscle]] = {
             "title": lambda muscle: values.titled(muscle, str(value)),
             "group": lambda muscle: values.grouped(muscle, str(value)),
+            "colour": lambda muscle: values.coloured(muscle, str(value)),
             "model": lambda muscle: values.with_model(muscle, _model(value)),
         }
         if name in setters:

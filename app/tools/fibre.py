@@ -8,6 +8,7 @@ from typing import ClassVar
 
 from app.tools.grips import dragged_to, handle_distance, place_on_fibre
 from app.tools.laying import drafted, ghost, put_in, with_image
+from app.tools.locks import refuse_locked
 from app.tools.pointer import Pointer
 from app.tools.select import fibre_distance
 from app.tools.sight import Ghost, Grip
@@ -72,6 +73,7 @@ class FibreTool(Tool):
 
     def press(self, pointer: Pointer) -> None:
         """Take hold of a handle, bend a fibre, or begin a new one."""
+        self._refuse_locked(pointer)
         self._drag = self._held(pointer) or self._bending(pointer) or self._drawing(pointer)
         self._muscle, self._wrong = None, None
         self.busy = self._drag is not None
@@ -126,17 +128,38 @@ class FibreTool(Tool):
     def _project(self) -> Project:
         return self.bench.document.project
 
-    def _own(self) -> list[Muscle]:
-        """Selected muscles that may be changed, the one selected last first."""
+    def _seen(self) -> list[Muscle]:
+        """Selected muscles that are drawn, the one selected last first."""
         state = self.bench.view.state
-        keys = sorted(state.selected - state.hidden - state.locked, key=lambda key: key != state.muscle)
+        keys = sorted(state.selected - state.hidden, key=lambda key: key != state.muscle)
         there = {muscle.key for muscle in self._project.muscles}
         return [muscle_of(self._project, key) for key in keys if key in there]
 
-    def _grip(self, pointer: Pointer) -> Grip | None:
-        """The nearest handle within reach."""
+    def _own(self) -> list[Muscle]:
+        """Those of them that may be changed."""
+        return [muscle for muscle in self._seen() if muscle.key not in self.bench.view.state.locked]
+
+    def _refuse_locked(self, pointer: Pointer) -> None:
+        """Say so where the hand would take hold of a muscle that is locked, or of one whose partner is."""
+        if "control" in pointer.modifiers:
+            meant = self._near(pointer)
+        elif grip := self._grip(pointer) or self._grip(pointer, self._seen()):
+            meant = [grip.muscle]
+        else:
+            meant = self._seen() if "shift" in pointer.modifiers and pointer.skull is not None else []
+        refuse_locked(self._project, self.bench.view.state, meant[:1])
+
+    def _near(self, pointer: Pointer) -> list[Muscle]:
+        """Selected muscles on whose fibres the pointer is."""
+        if pointer.ray is None:
+            return []
+        reach = FINGER * pointer.reach
+        return [muscle for muscle in self._seen() if fibre_distance(muscle, pointer.ray) <= reach]
+
+    def _grip(self, pointer: Pointer, muscles: list[Muscle] | None = None) -> Grip | None:
+        """The nearest handle within reach; of those that may be changed unless others are asked for."""
         reach, best = FINGER * pointer.reach, None
-        for muscle in self._own():
+        for muscle in self._own() if muscles is None else muscles:
             for handle in handles(muscle, self._project.face):
                 away = handle_distance(pointer, handle)
                 if away < reach:
@@ -159,10 +182,7 @@ class FibreTool(Tool):
 
     def _bending(self, pointer: Pointer) -> Drag | None:
         """With Ctrl on a fibre of a selected muscle: a point of it that is dragged off the straight line."""
-        if "control" not in pointer.modifiers or pointer.ray is None:
-            return None
-        ray = pointer.ray
-        near = [muscle for muscle in self._own() if fibre_distance(muscle, ray) <= FINGER * pointer.reach]
+        near = self._near(pointer) if "control" in pointer.modifiers else []
         if not near:
             return None
         number, point = place_on_fibre(near[0], pointer)

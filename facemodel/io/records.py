@@ -61,6 +61,8 @@ def muscle_json(muscle: Muscle) -> dict[str, Any]:
         }
     if not muscle.linked:
         document["linked"] = False
+    if muscle.colour:
+        document["colour"] = muscle.colour
     return document
 
 
@@ -102,6 +104,7 @@ def muscle_of(record: MuscleRecord) -> Muscle:
         profiles=None if record.profiles is None else _profiles_of(record.profiles),
         cosine=None if record.cosine is None else _cosine_of(record.cosine),
         linked=record.linked,
+        colour=record.colour,
     )
 
 

@@ -167,6 +167,7 @@ class MuscleRecord(Record):
     profiles: ProfilesRecord | None = None
     cosine: CosineRecord | None = None
     linked: bool = True
+    colour: Colour = ""
 
 
 class JawMotionRecord(Record):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from math import isfinite
 
@@ -14,6 +15,9 @@ from facemodel.muscles.parameters import Parameter, ProfileParameter, value_of, 
 
 GROUPS = ("brow", "eye", "nose", "cheek", "lip", "chin")
 """Groups of muscles, from top to bottom."""
+
+
+COLOUR = re.compile(r"#[0-9a-f]{6}")
 
 
 def parameter_of(muscle: Muscle, name: str) -> Parameter | ProfileParameter:
@@ -112,3 +116,16 @@ def grouped(muscle: Muscle, group: str) -> Muscle:
     if group not in GROUPS:
         raise MuscleError(f"There is no group “{group}” of muscles; choose one of {', '.join(GROUPS)}.")
     return replace(muscle, group=group)
+
+
+def coloured(muscle: Muscle, colour: str) -> Muscle:
+    """A muscle in a colour of its own, ``#rrggbb``, or in that of its group if the colour is empty.
+
+    Raises
+    ------
+    MuscleError
+        If that is no colour.
+    """
+    if colour and not COLOUR.fullmatch(colour.lower()):
+        raise MuscleError(f"“{colour}” is no colour; write it as #rrggbb, or nothing for that of the group.")
+    return replace(muscle, colour=colour.lower())

@@ -88,6 +88,7 @@ class Muscle:
     profiles : sigma and tau of the mouth sphincter; None takes `facemodel.muscles.mouth.PROFILES`
     cosine : bounding box and factors of a pseudo-muscle; None takes those of `facemodel.muscles.cosine`
     linked : whether the muscle of the same name on the other side is kept its mirror image
+    colour : ``#rrggbb`` on the face; empty takes that of its group
     """
 
     name: str
@@ -104,6 +105,7 @@ class Muscle:
     profiles: Profiles | None = None
     cosine: Cosine | None = None
     linked: bool = True
+    colour: str = ""
 
     @property
     def key(self) -> str:

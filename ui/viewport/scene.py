@@ -105,7 +105,7 @@ class Scene:
         if self.figure is None or not same or not self.figure.posed.adopt(project.face, basis):
             self._become(Figure(Superposition(project.face, basis)))
         assert self.figure is not None
-        self._drawn = Drawn(project, self.figure, {}, self.state.muscle, self.state.others)
+        self._drawn = Drawn(project, self.figure, {}, self.state.muscle, self.state.others, hidden=self.state.hidden)
         if not same:
             self.look_from(self.state.view if self.state.view in DIRECTIONS else "three-quarter")
         self._ghost()
@@ -147,12 +147,14 @@ class Scene:
         project_in_parallel(self.renderer.GetActiveCamera(), not state.perspective)
         if self._drawn is None:
             return
-        self._drawn = replace(self._drawn, muscle=state.muscle, others=state.others)
+        self._drawn = replace(self._drawn, muscle=state.muscle, others=state.others, hidden=state.hidden)
         self._ghost()
         if _painted(state) != _painted(before):
             self._paint()
         for name, overlay in self._overlays.items():
-            anew = name == "influence" and state.muscle != before.muscle
+            anew = (name == "influence" and state.muscle != before.muscle) or (
+                name == "muscles" and state.hidden != before.hidden
+            )
             self._switch(overlay, self._wanted(name), rebuild=anew)
         self._follow()
 
@@ -238,7 +240,8 @@ class Scene:
         if hit is None or self._drawn is None or self.figure is None:
             return None
         project = self._drawn.project
-        return strongest_muscle(project, skin_vertex(project.face, self.figure.posed.basis.display, hit))
+        vertex = skin_vertex(project.face, self.figure.posed.basis.display, hit)
+        return strongest_muscle(project, vertex, self.state.hidden)
 
     def _ghost(self) -> None:
         if self.figure is not None:

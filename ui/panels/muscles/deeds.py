@@ -1,11 +1,14 @@
-"""What can be done with the selected muscles: duplicate, mirror, link, copy, paste, delete, hide and lock."""
+"""What can be done with the selected muscles: duplicate, mirror, link, copy, paste and delete."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from app.actions.action import Action
 from app.actions.context import Context
+from app.tools.locks import refuse_locked
+from facemodel.errors import MuscleError
 from facemodel.laying.clipboard import muscles_from, muscles_text
 from facemodel.laying.collection import added, deleted, duplicated, on_other_side, users_of
 from facemodel.laying.sides import linked, partner, unlinked
@@ -25,6 +28,8 @@ def delete(context: Context) -> None:
     """Delete the selected muscles and their linked partners, and say which units contracted them."""
     project = context.document.project
     gone = with_partners(project, selected(context))
+    if not free(context, gone):
+        return
     outcome = deleted(project, [muscle.key for muscle in gone])
     names = titles(gone)
     context.document.edit(outcome.project, f"Delete {names}")
@@ -47,6 +52,9 @@ def duplicate(context: Context) -> None:
 def mirror(context: Context) -> None:
     """Lay the mirror image of the selected muscles on the other side, in place of what is there."""
     muscles = [muscle for muscle in selected(context) if muscle.side != "M"]
+    there = [partner(context.document.project.muscles, muscle) for muscle in muscles]
+    if not free(context, [muscle for muscle in there if muscle is not None]):
+        return
     project, keys = on_other_side(context.document.project, [muscle.key for muscle in muscles])
     context.document.edit(project, f"{titles(muscles)} to the other side")
     _select(context, keys)
@@ -55,6 +63,9 @@ def mirror(context: Context) -> None:
 def link(context: Context) -> None:
     """Keep the selected muscles and their partners in step, or no longer."""
     project, muscles = context.document.project, selected(context)
+    others = [partner(project.muscles, muscle) for muscle in muscles]
+    if not free(context, [muscle for muscle in (*muscles, *others) if muscle is not None]):
+        return
     apart = _linked(context)
     for muscle in muscles:
         changed = unlinked(project.muscles, muscle) if apart else linked(project.muscles, muscle, project.face)
@@ -80,6 +91,16 @@ def paste(context: Context) -> None:
 def select_all(context: Context) -> None:
     """Select every muscle."""
     _select(context, tuple(muscle.key for muscle in context.document.project.muscles))
+
+
+def free(context: Context, muscles: Iterable[Muscle]) -> bool:
+    """Whether muscles may be changed; the status line says which of them may not."""
+    try:
+        refuse_locked(context.document.project, context.view.state, muscles)
+    except MuscleError as error:
+        context.host.show_message(str(error))
+        return False
+    return True
 
 
 def users_text(project: Project, muscles: tuple[Muscle, ...]) -> str:
@@ -116,7 +137,7 @@ def _has_muscles(context: Context) -> bool:
     return bool(context.document.project.muscles)
 
 
-MUSCLE_ACTIONS = (
+EDITING_ACTIONS = (
     Action("muscle.duplicate", "Duplicate", duplicate, menu=MENU, hint="Copy the selected muscles", enabled=_any),
     Action(
         "muscle.mirror",
@@ -138,7 +159,7 @@ MUSCLE_ACTIONS = (
     ),
     Action("muscle.copy", "Copy muscles", copy, menu=MENU, group=1, hint="Copy them as text", enabled=_any),
     Action("muscle.paste", "Paste muscles", paste, menu=MENU, group=1, hint="Lay the muscles in the clipboard"),
-    Action("muscle.all", "Select all muscles", select_all, menu=MENU, group=2, enabled=_has_muscles),
+    Action("muscle.all", "Select all muscles", select_all, menu=MENU, group=1, enabled=_has_muscles),
     Action(
         "muscle.delete",
         "Delete muscles",
@@ -149,4 +170,4 @@ MUSCLE_ACTIONS = (
         enabled=_any,
     ),
 )
-"""For the tree's buttons and menu, the menu bar and the palette."""
+"""Those that change the project; see `ui.panels.muscles.actions`."""

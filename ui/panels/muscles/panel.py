@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QMenu, QScrollArea, QSplit
 from app.actions.action import Action, perform
 from app.actions.context import Context, state_signals
 from app.tools.toolbox import ToolBox
-from ui.panels.muscles.deeds import MUSCLE_ACTIONS
+from ui.panels.muscles.actions import MUSCLE_ACTIONS
 from ui.panels.muscles.properties import MuscleProperties
 from ui.panels.muscles.tree import MuscleTree
 from ui.theme.icons import icon

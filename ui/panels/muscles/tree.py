@@ -1,104 +1,43 @@
-"""The tree of muscles: groups from brow to chin, one row a muscle, its sides as chips of their colours."""
+"""The tree of muscles: groups from brow to chin, one row a muscle, its sides as chips, an eye and a padlock."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QRect, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPalette
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTreeWidget,
-    QTreeWidgetItem,
-)
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem
 
 from app.document import Document
 from app.view import View
 from app.view_state import ViewState
 from facemodel.laying.values import GROUPS
 from facemodel.muscles import Muscle
-from ui.theme.apply import current_theme
-from ui.theme.colour import blend, contrast
-from ui.theme.metrics import GRID, RADIUS, ROW
+from ui.panels.muscles.tree_cells import (
+    COLOUR,
+    EYE,
+    GROUP,
+    KEYS,
+    LEFT,
+    LOCK,
+    NAME,
+    RIGHT,
+    SHARE,
+    SIDE,
+    Cell,
+    MuscleCells,
+)
+from ui.theme.metrics import GRID
 from ui.viewport.overlays.muscles import GROUPS as GROUPS_SEEN
+from ui.viewport.overlays.muscles import OTHER
 
-KEYS = Qt.ItemDataRole.UserRole + 1
-"""Keys of the muscles that a cell stands for."""
-SIDE = Qt.ItemDataRole.UserRole + 2
-"""Side of a chip."""
-GROUP = Qt.ItemDataRole.UserRole + 3
-"""Group that a heading names."""
-
-NAME, LEFT, RIGHT = range(3)
 CHIP = 22
-SWATCH = 8
-"""Side of the colour that a group has on the face."""
-ROLES = {"L": "left", "R": "right", "M": "both"}
 SIDE_NAMES = {"L": "the subject’s left", "R": "the subject’s right", "M": "across the midline"}
 QUIET_TITLES = {group: group.capitalize() for group in GROUPS}
+SWITCHES = {EYE: ("Hide", "Show"), LOCK: ("Lock", "Unlock")}
+"""What a click on a switch does that is off, and on one that is on."""
 
-Cell = QModelIndex | QPersistentModelIndex
 Flag = QItemSelectionModel.SelectionFlag
-SELECTED, HOVERED = QStyle.StateFlag.State_Selected, QStyle.StateFlag.State_MouseOver
-
-
-class MuscleCells(QStyledItemDelegate):
-    """Draws names and chips; a cell that is selected is filled with the colour of its side."""
-
-    def sizeHint(self, _option: QStyleOptionViewItem, _index: Cell) -> QSize:
-        """One row of any width."""
-        return QSize(0, ROW)
-
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Cell) -> None:
-        """Draw a heading, a name or a chip."""
-        painter.save()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        side = index.data(SIDE)
-        if side:
-            _paint_chip(painter, option, side, index.data(Qt.ItemDataRole.DisplayRole))
-        elif index.column() == NAME:
-            _paint_name(painter, option, index)
-        painter.restore()
-
-
-def _paint_chip(painter: QPainter, option: QStyleOptionViewItem, side: str, letter: str) -> None:
-    theme = current_theme()
-    area = QRectF(option.rect).adjusted(2, 3, -2, -3)
-    colour, on = QColor(getattr(theme, ROLES[side])), bool(option.state & SELECTED)
-    hovered = bool(option.state & HOVERED)
-    painter.setPen(Qt.PenStyle.NoPen)
-    if on or hovered:
-        painter.setBrush(colour if on else blend(theme.panel, colour, 0.25))
-        painter.drawRoundedRect(area, RADIUS, RADIUS)
-    dark, light = QColor(theme.window), QColor(theme.on_accent)
-    readable = dark if contrast(dark, colour) > contrast(light, colour) else light
-    painter.setPen(readable if on else colour)
-    painter.drawText(area, Qt.AlignmentFlag.AlignCenter, letter)
-
-
-def _paint_name(painter: QPainter, option: QStyleOptionViewItem, index: Cell) -> None:
-    theme = current_theme()
-    area = QRectF(option.rect)
-    heading = index.data(GROUP)
-    if heading in GROUPS_SEEN:
-        swatch = QRectF(area.x(), area.center().y() - SWATCH / 2, SWATCH, SWATCH)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor.fromRgbF(*GROUPS_SEEN[heading]))
-        painter.drawRoundedRect(swatch, 2, 2)
-        area.setLeft(swatch.right() + GRID // 2)
-    if option.state & SELECTED:
-        painter.fillRect(area, blend(theme.window, theme.accent, 0.32))
-    elif option.state & HOVERED and not heading:
-        painter.fillRect(area, QColor(theme.hover))
-    painter.setPen(QColor(theme.muted if heading else theme.text))
-    words = index.data(Qt.ItemDataRole.DisplayRole)
-    room = area.adjusted(GRID // 2, 0, -GRID // 2, 0)
-    text = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))
-    painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
 
 
 class MuscleTree(QTreeWidget):
@@ -120,13 +59,15 @@ class MuscleTree(QTreeWidget):
         self._view = view
         self._query = ""
         self._folded: set[str] = set()
-        self.setColumnCount(3)
+        self._drawing: tuple[int, bool] | None = None
+        self.setColumnCount(5)
         self.setHeaderHidden(True)
         self.setIndentation(2 * GRID)
         self.setUniformRowHeights(True)
         self.setMouseTracking(True)
         self.setAccessibleName("Muscles")
-        self.setItemDelegate(MuscleCells(self))
+        self._cells = MuscleCells(self)
+        self.setItemDelegate(self._cells)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
@@ -137,14 +78,14 @@ class MuscleTree(QTreeWidget):
         self.header().setStretchLastSection(False)
         self.header().setMinimumSectionSize(CHIP)
         self.header().setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
-        for column in (LEFT, RIGHT):
+        for column in (LEFT, RIGHT, EYE, LOCK):
             self.header().setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
             self.header().resizeSection(column, CHIP + 4)
         self.show_muscles()
         self.itemSelectionChanged.connect(self._choose)
         self.itemCollapsed.connect(lambda item: self._note_fold(item, True))
         self.itemExpanded.connect(lambda item: self._note_fold(item, False))
-        self.itemEntered.connect(lambda item, column: self.hovered.emit(frozenset(item.data(column, KEYS) or ())))
+        self.itemEntered.connect(self._enter)
         document.project_changed.connect(lambda _project: self.show_muscles())
         document.muscles_changed.connect(lambda _keys: self.show_muscles())
         view.changed.connect(self._follow)
@@ -162,6 +103,7 @@ class MuscleTree(QTreeWidget):
         self.blockSignals(False)
         self.filter(self._query)
         self._mark(self._view.state)
+        self._show_switches(self._view.state)
 
     def filter(self, query: str) -> None:
         """Show the muscles whose title, name or group has every word of a search."""
@@ -204,25 +146,62 @@ class MuscleTree(QTreeWidget):
             super().keyPressEvent(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """A click beside all names selects nothing."""
-        if self.itemAt(event.position().toPoint()) is None:
+        """A click beside all names selects nothing; on an eye or a padlock it switches that and nothing else."""
+        place = event.position().toPoint()
+        item, column = self.itemAt(place), self.columnAt(place.x())
+        if item is None:
             self._view.change(muscle="")
+        elif column in SWITCHES:
+            if event.button() == Qt.MouseButton.LeftButton:
+                self._drawing = column, item.data(column, SHARE) != 1.0
+                self._switch(item)
+            return
         super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Drawn over other rows, a switch that is held does the same to them."""
+        if self._drawing is None:
+            super().mouseMoveEvent(event)
+            return
+        item = self.itemAt(event.position().toPoint())
+        if item is not None:
+            self._switch(item)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Let go of a switch."""
+        if self._drawing is None:
+            super().mouseReleaseEvent(event)
+        self._drawing = None
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """The second click on a switch is one more click; on a heading it folds the group."""
+        if self.columnAt(int(event.position().x())) in SWITCHES:
+            self.mousePressEvent(event)
+        else:
+            super().mouseDoubleClickEvent(event)
 
     def leaveEvent(self, event: object) -> None:
         """Nothing is under the pointer any more."""
         super().leaveEvent(event)  # type: ignore[arg-type]
+        self._cells.under = QModelIndex()
+        self.viewport().update()
         self.hovered.emit(frozenset())
 
     def _add_group(self, group: str, rows: dict[str, list[Muscle]]) -> None:
         heading = QTreeWidgetItem(self, [QUIET_TITLES.get(group, group.capitalize())])
         heading.setData(NAME, GROUP, group)
-        heading.setFlags(Qt.ItemFlag.ItemIsEnabled)
-        heading.setFirstColumnSpanned(True)
+        heading.setData(NAME, COLOUR, QColor.fromRgbF(*GROUPS_SEEN.get(group, OTHER)).name())
+        heading.setToolTip(NAME, f"Click to select all muscles of this group ({group})")
+        keys = tuple(muscle.key for muscles in rows.values() for muscle in muscles)
+        for column in (NAME, EYE, LOCK):
+            heading.setData(column, KEYS, keys)
         for muscles in rows.values():
             row = QTreeWidgetItem(heading, [muscles[0].title])
             row.setData(NAME, KEYS, tuple(muscle.key for muscle in muscles))
             row.setToolTip(NAME, f"{muscles[0].title} ({muscles[0].name})")
+            row.setData(NAME, COLOUR, muscles[0].colour)
+            for column in (EYE, LOCK):
+                row.setData(column, KEYS, row.data(NAME, KEYS))
             for muscle in muscles:
                 column = RIGHT if muscle.side == "R" else LEFT
                 row.setText(column, "•" if muscle.side == "M" else muscle.side)
@@ -237,11 +216,37 @@ class MuscleTree(QTreeWidget):
     def _note_fold(self, item: QTreeWidgetItem, folded: bool) -> None:
         (self._folded.add if folded else self._folded.discard)(item.data(NAME, GROUP))
 
+    def _enter(self, item: QTreeWidgetItem, column: int) -> None:
+        """Tell what is under the pointer, and show the switches of its row."""
+        self._cells.under = self.indexFromItem(item, NAME)
+        self.viewport().update()
+        self.hovered.emit(frozenset(item.data(column, KEYS) or ()) if not item.data(NAME, GROUP) else frozenset())
+
+    def _switch(self, item: QTreeWidgetItem) -> None:
+        """Do to the muscles of a row what the switch that is held does."""
+        assert self._drawing is not None
+        column, on = self._drawing
+        (self._view.hide if column == EYE else self._view.lock)(item.data(column, KEYS), on)
+
+    def _show_switches(self, state: ViewState) -> None:
+        """Eyes and padlocks as what is hidden and locked asks for."""
+        for heading in self._headings():
+            for row in (heading, *_children(heading)):
+                for column, keys in ((EYE, state.hidden), (LOCK, state.locked)):
+                    own = row.data(column, KEYS)
+                    share = sum(key in keys for key in own) / len(own)
+                    row.setData(column, SHARE, share)
+                    row.setToolTip(column, SWITCHES[column][share == 1.0])
+                row.setData(NAME, SHARE, row.data(EYE, SHARE) == 1.0)
+                for column in (LEFT, RIGHT):
+                    row.setData(column, SHARE, bool(set(row.data(column, KEYS) or ()) & state.hidden))
+
     def _choose(self) -> None:
         """Tell the view which muscles the selected cells stand for; the cell in hand names the one selected last."""
         keys: dict[str, None] = {}
         current = self.currentIndex()
         cells = sorted(self.selectedIndexes(), key=lambda cell: cell != current)
+        cells = [cell for cell in cells if cell.column() not in SWITCHES]
         for cell in cells:
             keys |= dict.fromkeys(cell.data(KEYS) or ())
         first, *others = keys or [""]
@@ -250,6 +255,8 @@ class MuscleTree(QTreeWidget):
     def _follow(self, now: ViewState, before: ViewState) -> None:
         if (now.muscle, now.others) != (before.muscle, before.others):
             self._mark(now)
+        if (now.hidden, now.locked) != (before.hidden, before.locked):
+            self._show_switches(now)
 
     def _mark(self, state: ViewState) -> None:
         """Select the cells of the selected muscles: a name where both of its sides are."""

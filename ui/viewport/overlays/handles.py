@@ -82,7 +82,7 @@ class MuscleHandles:
             self._ask()
 
     def _follow(self, now: ViewState, before: ViewState) -> None:
-        if (now.selected, now.hidden) != (before.selected, before.hidden):
+        if (now.selected, now.hidden, now.locked) != (before.selected, before.hidden, before.locked):
             self._grip = None
             self._ask()
 
@@ -105,7 +105,9 @@ class MuscleHandles:
         ends = np.concatenate(lines) if lines else np.zeros((0, 3))
         self._marks["line"].show(ends)
         self._marks["fibre"].show(ends)
-        found = [(muscle, handle) for muscle in muscles for handle in handles(muscle, project.face)]
+        locked = self._view.state.locked
+        free = [muscle for muscle in muscles if muscle.key not in locked]
+        found = [(muscle, handle) for muscle in free for handle in handles(muscle, project.face)]
         self._marks["spoke"].show(_stacked([_spoke(muscle, handle, at) for muscle, handle in found]))
         places = {"bone": [], "skin": [], "quiet": []}  # type: dict[str, list[FloatArray]]
         for _, handle in found:

@@ -46,7 +46,11 @@ class MusclesOverlay(Overlay):
         """Lay the bands under the resting skin."""
         skin = drawn.project.face.skin
         # The force of the jaw has no shape of its own: its muscles lie under the others.
-        self._muscles = [muscle for muscle in drawn.project.muscles if muscle.fibres or muscle.ring is not None]
+        self._muscles = [
+            muscle
+            for muscle in drawn.project.muscles
+            if (muscle.fibres or muscle.ring is not None) and muscle.key not in drawn.hidden
+        ]
         if not self._muscles:
             return
         display = drawn.figure.posed.basis.display
@@ -88,6 +92,14 @@ class MusclesOverlay(Overlay):
         self._surface.moved()
 
 
+def colour_of(muscle: Muscle) -> tuple[float, float, float]:
+    """The colour of a muscle at rest: its own, else that of its group."""
+    if muscle.colour:
+        red, green, blue = (int(muscle.colour[k : k + 2], 16) / 255 for k in (1, 3, 5))
+        return red, green, blue
+    return GROUPS.get(muscle.group, OTHER)
+
+
 def _colours(shape: Band, group: tuple[float, float, float]) -> FloatArray:
     """Colours (n, 3) of a band: fibres as fine stripes, paler towards the tendon."""
     rows, columns = shape.points.shape[:2]
@@ -126,7 +138,7 @@ def _laid(muscle: Muscle, skin: Mesh, display: DisplaySurface) -> Laid:
     return Laid(
         points,
         _outward(Mesh(points, shape.triangles), display.normals[anchor]).astype(np.float32),
-        _colours(shape, GROUPS.get(muscle.group, OTHER)),
+        _colours(shape, colour_of(muscle)),
         shape.triangles,
         np.tile(shape.along**2, shape.points.shape[0]),
         anchor,

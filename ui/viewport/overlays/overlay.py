@@ -23,6 +23,7 @@ class Drawn:
     muscle : key of the selected muscle; empty for none
     others : keys of those that are selected with it
     glowing : keys of the muscles under the pointer
+    hidden : keys of the muscles that are not drawn
     half_height : half the height of the picture at the head, millimetres
     """
 
@@ -32,6 +33,7 @@ class Drawn:
     muscle: str = ""
     others: frozenset[str] = frozenset()
     glowing: frozenset[str] = frozenset()
+    hidden: frozenset[str] = frozenset()
     half_height: float = 150.0
 
 
