@@ -159,7 +159,8 @@ class FaceSolver:
         return HeldFace(surfaces, tissue, supports, system)
 
     def _tissue_of(self, face: Face, assembler: Assembler, vertices: IntArray) -> Tissue:
-        made_from = (assembler, face.layers.stiffness, face.layers.thickness, face.skull.anchors, face.skull.jawbone)
+        skull, painted = face.skull, (face.layers.stiffness, face.layers.thickness)
+        made_from = (assembler, *painted, skull.anchors, skull.jawbone, skull.cranium, skull.mandible)
         return self._tissue.get(made_from, lambda: face_tissue(face, vertices))
 
     def _solve_columns(

@@ -6,8 +6,10 @@ from typing import Any
 
 from facemodel.actions import JawMotion, field_names
 from facemodel.errors import FaceError
+from facemodel.face import Face
 from facemodel.project import Project
 from facemodel.sameness import same
+from facemodel.skull.spring_checks import spring_faults
 from facemodel.sources import acting, recipes
 from facemodel.system import face_material, face_supports, solved_vertices
 
@@ -26,7 +28,7 @@ def stale_fields(solved: Project, project: Project) -> frozenset[str]:
     held_alike = project.face is solved.face and project.settings == solved.settings
     if held_alike and project.muscles == solved.muscles and project.units == solved.units:
         return frozenset()
-    if not held_alike and not same(_common(solved), _common(project)):
+    if not held_alike and not (same(_common(solved), _common(project)) and _same_springs(solved.face, project.face)):
         return names
     try:
         before, after = _fields(solved), _fields(project)
@@ -49,6 +51,15 @@ def _common(project: Project) -> tuple[Any, ...]:
         skull.anchors,
     )
     return project.settings, skin, held, carried
+
+
+def _same_springs(one: Face, other: Face) -> bool:
+    """Whether two faces of one skin and the same feet have the same springs left out, whatever their bones are."""
+    bones = ((face.skull.cranium, face.skull.mandible) for face in (one, other))
+    if same(*bones):
+        return True
+    left_out = (spring_faults(face, solved_vertices(face)).left_out for face in (one, other))
+    return same(*left_out)
 
 
 def _fields(project: Project) -> dict[str, tuple[Any, ...]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from facemodel.face import Face
+from facemodel.skull.spring_checks import spring_ends, spring_faults
 from fem import SpringSet
 from fem.types import FloatArray, IntArray
 
@@ -38,7 +39,8 @@ def tissue_springs(face: Face, vertices: IntArray) -> tuple[SpringSet, FloatArra
 
     Every vertex has a main spring to its own point of the skull and struts to its neighbours' points.  The
     struts are scaled so that the tissue is `SLIDING_RATIO` times softer along the surface than along the
-    main spring, whatever the density of the mesh.
+    main spring, whatever the density of the mesh.  Springs of no length and those that go through bone (see
+    `facemodel.skull.spring_checks`) have no stiffness, and the struts that are left make up for those that are not.
 
     Parameters
     ----------
@@ -51,20 +53,18 @@ def tissue_springs(face: Face, vertices: IntArray) -> tuple[SpringSet, FloatArra
     anchors : (M, 3) the skull end of every spring, millimetres
     jawbone : (M,) the share of that end which belongs to the mandible
     """
-    number = np.full(len(face.skin.positions), -1)
-    number[vertices] = np.arange(len(vertices))
-    graph = face.skin.adjacency[vertices].tocoo()
-    strut_from, strut_to = graph.coords
-    foot = np.concatenate([vertices, strut_to])
-    head = np.concatenate([np.arange(len(vertices)), strut_from])
+    head, foot = spring_ends(face.skin, vertices)
+    kept = ~spring_faults(face, vertices).left_out
+    strut_from = head[len(vertices) :]
     reach = face.skull.anchors[foot] - face.skin.positions[vertices[head]]
-    directions = reach / np.maximum(np.linalg.norm(reach, axis=1, keepdims=True), 1e-9)
+    length = np.linalg.norm(reach, axis=1, keepdims=True)
+    directions = np.where(length > 0, reach / np.maximum(length, 1e-9), -face.skin.normals[vertices[head]])
 
     main = directions[: len(vertices)]
     struts = directions[len(vertices) :]
     slant = 1 - np.einsum("ij,ij->i", struts, main[strut_from]) ** 2
-    tangential = np.bincount(strut_from, slant, len(vertices)) / 2
+    tangential = np.bincount(strut_from, slant * kept[len(vertices) :], len(vertices)) / 2
     scale = 1 / (SLIDING_RATIO * np.maximum(tangential, LEAST_SLANT))
     stiffness = tissue_stiffness(face)[vertices]
     share = np.concatenate([stiffness, (stiffness * scale)[strut_from]])
-    return SpringSet(head, directions, share), face.skull.anchors[foot], face.skull.jawbone[foot]
+    return SpringSet(head, directions, share * kept), face.skull.anchors[foot], face.skull.jawbone[foot]
