@@ -102,7 +102,7 @@ def with_jaw(face: Face, region: BoolArray) -> Face:
         If no bone would be jaw, or all of it.
     """
     whole = whole_skull(face.skull)
-    mine = region[whole.mesh.triangles].all(axis=1)
+    mine = np.asarray(region[whole.mesh.triangles].all(axis=1))
     if not mine.any():
         raise SkullError("No bone would be jaw; choose a part of the skull that encloses at least one triangle.")
     if mine.all():
