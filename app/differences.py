@@ -15,6 +15,7 @@ from app.commands.painting import ARRAY_NAMES, ON_SKULL, ArrayName, changed_rows
 from facemodel.face import Face
 from facemodel.project import Project
 from facemodel.sameness import same
+from facemodel.sculpting.correction import Corrections
 from fem.types import IntArray
 
 Item = TypeVar("Item")
@@ -33,6 +34,7 @@ class Changes:
     layers : by painted array, the skin vertices that have other values
     skull : whether the bones or the hinge of the jaw are others
     muscles, units, emotions : keys, numbers and names of those that changed, came, went or stand elsewhere
+    corrections : fields whose correction changed, came or went
     """
 
     whole: bool = False
@@ -41,9 +43,11 @@ class Changes:
     muscles: frozenset[str] = frozenset()
     units: frozenset[int] = frozenset()
     emotions: frozenset[str] = frozenset()
+    corrections: frozenset[str] = frozenset()
 
     def __bool__(self) -> bool:
-        return bool(self.whole or self.layers or self.skull or self.muscles or self.units or self.emotions)
+        content = self.muscles or self.units or self.emotions or self.corrections
+        return bool(self.whole or self.layers or self.skull or content)
 
 
 def changes(before: Project, after: Project) -> Changes:
@@ -56,6 +60,7 @@ def changes(before: Project, after: Project) -> Changes:
         muscles=_moved(before.muscles, after.muscles, muscle_name),
         units=frozenset(map(int, _moved(before.units, after.units, unit_name))),
         emotions=_moved(before.emotions, after.emotions, emotion_name),
+        corrections=_sculpted(before.corrections, after.corrections),
     )
 
 
@@ -84,6 +89,12 @@ def _other_bones(before: Face, after: Face) -> bool:
         return False
     bones = (each.name for each in fields(before.skull) if each.name not in ON_SKULL)
     return not all(same(getattr(before.skull, name), getattr(after.skull, name)) for name in bones)
+
+
+def _sculpted(before: Corrections, after: Corrections) -> frozenset[str]:
+    if before is after:
+        return frozenset()
+    return frozenset(name for name in {**before, **after} if not same(before.get(name), after.get(name)))
 
 
 def _moved(before: Sequence[Item], after: Sequence[Item], name_of: Callable[[Item], str]) -> frozenset[str]:

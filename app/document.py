@@ -87,13 +87,18 @@ class Document(DocumentSignals):
 
     @property
     def solution(self) -> Solution | None:
-        """The last solution for this head, even if `stale`; the last good face stays on the screen."""
-        return self._solutions.last.solution if self._solutions.last else None
+        """The last solution for this head with what is sculpted on it, even if `stale`; the last good face stays."""
+        return self._solutions.shown
 
     @property
     def previous_solution(self) -> Solution | None:
-        """The solution for this head before the last one, to look back at; none if there was only one."""
-        return self._solutions.previous.solution if self._solutions.previous else None
+        """The solution for this head before the last one, with the same corrections; none if there was only one."""
+        return self._solutions.before(self._project)
+
+    @property
+    def solved(self) -> Solution | None:
+        """The last solution as it was solved, without what is sculpted on it."""
+        return self._solutions.last.solution if self._solutions.last else None
 
     @property
     def stale(self) -> bool:
@@ -243,7 +248,7 @@ class Document(DocumentSignals):
     def accept(self, solution: Solution, solved: Project) -> None:
         """Take the solution of a snapshot; one of another head, or of an outdated project, is dropped."""
         if self._solutions.accept(Solved(solution, solved), self._project):
-            self.solution_changed.emit(solution)
+            self.solution_changed.emit(self.solution)
 
     def _do(self, command: Command) -> None:
         if not command.changes:
@@ -268,29 +273,13 @@ class Document(DocumentSignals):
         if found:
             self._solutions.follow(project)
         expression_moved, self._shown = self._shown != project.expression, project.expression
-        self._tell(found)
+        self.tell_changes(found, project)
         if self._solutions.standing != stood:
             self.solution_changed.emit(self.solution)
         if expression_moved or found.whole:
             self.expression_changed.emit(self._shown)
         self.history_changed.emit()
         self.saved_changed.emit()
-
-    def _tell(self, found: Changes) -> None:
-        if found.whole:
-            self.project_changed.emit(self._project)
-            return
-        if found.skull:
-            self.skull_changed.emit()
-        for name, vertices in found.layers.items():
-            self.layers_changed.emit(name, vertices)
-        for signal, which in (
-            (self.muscles_changed, found.muscles),
-            (self.units_changed, found.units),
-            (self.emotions_changed, found.emotions),
-        ):
-            if which:
-                signal.emit(which)
 
     def _show(self, expression: Expression) -> None:
         if expression != self._shown:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from psygnal import Signal
 
+from app.differences import Changes
+from facemodel.project import Project
+
 
 class DocumentSignals:
     """The signals of a document.  All those of one intent are emitted after the whole state is settled."""
@@ -20,6 +23,8 @@ class DocumentSignals:
     """(frozenset of numbers) of action units that changed, came, went or stand elsewhere in the list."""
     emotions_changed = Signal(object)
     """(frozenset of names) of emotions that changed, came, went or stand elsewhere in the list."""
+    corrections_changed = Signal(object)
+    """(frozenset of field names) whose correction, sculpted on top of what is solved, changed, came or went."""
     expression_changed = Signal(object)
     """(Expression) what is to be shown now, `shown`."""
     solution_changed = Signal(object)
@@ -28,3 +33,21 @@ class DocumentSignals:
     """Other steps to undo or redo."""
     saved_changed = Signal()
     """`path` or `dirty` may be different."""
+
+    def tell_changes(self, found: Changes, project: Project) -> None:
+        """Emit what follows from the changes that led to a project, and no more."""
+        if found.whole:
+            self.project_changed.emit(project)
+            return
+        if found.skull:
+            self.skull_changed.emit()
+        for name, vertices in found.layers.items():
+            self.layers_changed.emit(name, vertices)
+        for signal, which in (
+            (self.muscles_changed, found.muscles),
+            (self.units_changed, found.units),
+            (self.emotions_changed, found.emotions),
+            (self.corrections_changed, found.corrections),
+        ):
+            if which:
+                signal.emit(which)

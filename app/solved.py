@@ -10,6 +10,9 @@ from app.differences import same_head
 from facemodel.actions import Expression, field_names
 from facemodel.basis import Basis
 from facemodel.project import Project
+from facemodel.sameness import Kept
+from facemodel.sculpting.corrected import Corrector
+from facemodel.sculpting.correction import Corrections
 from facemodel.solution import Solution
 from facemodel.staleness import stale_fields
 from fem.types import Float32Array
@@ -75,14 +78,26 @@ class Solutions:
     def __init__(self, project: Project) -> None:
         self.last: Solved | None = None
         self.previous: Solved | None = None
+        self.shown: Solution | None = None
+        self._made_of: tuple[Solution, Corrections] | None = None
+        self._correct = Corrector()
+        self._correct_before = Corrector()
+        self._earlier: Kept[Solution] = Kept()
         self.stale_fields: frozenset[str] = frozenset()
         self.stale = True
         self.follow(project)
 
     @property
-    def standing(self) -> tuple[Solved | None, bool, frozenset[str]]:
+    def standing(self) -> tuple[Solution | None, bool, frozenset[str]]:
         """All that a listener would want to know of, to be compared."""
-        return self.last, self.stale, self.stale_fields
+        return self.shown, self.stale, self.stale_fields
+
+    def before(self, project: Project) -> Solution | None:
+        """The solution before the last one, with the corrections that a project has now."""
+        if self.previous is None:
+            return None
+        raw = self.previous.solution
+        return self._earlier.get((raw, project.corrections), lambda: self._correct_before(raw, project))
 
     def follow(self, project: Project) -> None:
         """Find out what holds for another state of the project; a solution of another head is let go."""
@@ -93,6 +108,7 @@ class Solutions:
         else:
             self.stale_fields = self.last.stale_for(project)
             self.stale = not self.last.holds_for(project)
+        self._follow_corrections(project)
 
     def accept(self, solved: Solved, project: Project) -> bool:
         """Take a solution if it holds for the project; whether it does."""
@@ -101,7 +117,17 @@ class Solutions:
         if self.last is not None and self.last.solution.basis is not solved.solution.basis:
             self.previous = self.last
         self.last, self.stale_fields, self.stale = solved, frozenset(), False
+        self._follow_corrections(project)
         return True
+
+    def _follow_corrections(self, project: Project) -> None:
+        """Put on the solution what is sculpted; the one that is shown stays if that is the same as before."""
+        if self.last is None:
+            self.shown, self._made_of = None, None
+            return
+        made_of = self.last.solution, project.corrections
+        if self._made_of is None or any(one is not other for one, other in zip(self._made_of, made_of, strict=True)):
+            self.shown, self._made_of = self._correct(self.last.solution, project), made_of
 
     def last_change(self, expression: Expression) -> Float32Array | None:
         """How far (P,) the last solve moved every drawn point under an expression; None if there is but one."""

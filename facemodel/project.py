@@ -8,6 +8,7 @@ from typing import Literal
 from facemodel.actions import ActionUnit, Emotion, Expression
 from facemodel.face import Face
 from facemodel.muscles import Muscle
+from facemodel.sculpting.correction import Corrections
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,15 @@ class Settings:
 
 @dataclass(frozen=True, eq=False)
 class Project:
-    """Everything a user saves."""
+    """Everything a user saves.
+
+    Attributes
+    ----------
+    face, muscles, units, emotions : what is solved, and its named expressions
+    expression : the sliders
+    settings : how it is solved and drawn
+    corrections : by field name, what a hand has sculpted on top of the solved field
+    """
 
     face: Face
     muscles: tuple[Muscle, ...]
@@ -34,6 +43,7 @@ class Project:
     emotions: tuple[Emotion, ...]
     expression: Expression = field(default_factory=dict)
     settings: Settings = field(default_factory=Settings)
+    corrections: Corrections = field(default_factory=dict)
 
     def posed(self, expression: Expression) -> Project:
         """The same project with another expression in hand."""

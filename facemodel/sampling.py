@@ -120,3 +120,12 @@ def carried_points(face: Face, vertex_fields: FloatArray) -> FloatArray:
         if part.carrier == "skin"
     ]
     return np.concatenate(rows) if rows else np.zeros((0, vertex_fields.shape[1]))
+
+
+def points_of_vertices(face: Face, display: DisplaySurface) -> IntArray:
+    """The drawn point (N,) that lies on each skin vertex."""
+    corner = display.barycentric.argmax(axis=1)
+    on = np.flatnonzero(display.barycentric.max(axis=1) > 1 - 1e-6)
+    found = np.full(len(face.skin.positions), -1, dtype=np.int64)
+    found[face.skin.triangles[display.elements[on], corner[on]]] = on
+    return found

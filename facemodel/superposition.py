@@ -11,6 +11,7 @@ from facemodel.display import DisplaySurface
 from facemodel.face import Face, Jaw
 from facemodel.field_sum import add_field, sum_fields
 from facemodel.glide import LidGlide
+from facemodel.sculpting.sampler import DrawnChange
 from fem.types import Float32Array, FloatArray
 
 REFRESH_AFTER = 256
@@ -111,6 +112,21 @@ class Superposition:
         self._turn_jaw()
         return True
 
+    def shift(self, change: DrawnChange) -> None:
+        """Move some points by more than the fields do, as a hand that sculpts asks for, until `settle` or `adopt`."""
+        live = self._buffer[: self._live].reshape(-1, 3)
+        live[self._glide.points] = self._lids
+        live[change.rows] += change.moved
+        self._slopes.reshape(6, -1)[:, change.points] += change.slopes
+        self._finish(live)
+
+    def settle(self) -> None:
+        """Form the sum of the fields anew; what they were shifted by is gone without a trace."""
+        live = self._buffer[: self._live].reshape(-1, 3)
+        self._increments = 0
+        self._sum(self._weights)
+        self._finish(live)
+
     def pose(self, expression: Expression) -> None:
         """Write the buffers for an expression; names without a field are ignored.
 
@@ -136,8 +152,12 @@ class Superposition:
             self._increments = 0
             self._sum(weights)
         self._weights = weights
-        self._turn_normals()
         self._turn_jaw()
+        self._finish(live)
+
+    def _finish(self, live: Float32Array) -> None:
+        """Turn the normals to the slopes, and lay the lids on the eyeballs."""
+        self._turn_normals()
         self._lids = live[self._glide.points]
         live[self._glide.points] = self._glided()
 

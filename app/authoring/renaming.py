@@ -7,13 +7,17 @@ from dataclasses import replace
 
 from facemodel.actions import ActionUnit, Emotion, resolve
 from facemodel.project import Project
+from facemodel.sculpting.correction import Correction, Corrections, joined
 
 Renaming = Callable[[str], str | None]
 """Another name for a field, or none if it is gone."""
 
 
 def refielded(project: Project, units: Mapping[int, ActionUnit | None], name_now: Renaming) -> Project:
-    """A project with other units under some numbers, or none, and its weights under the names of their fields now."""
+    """A project with other units under some numbers, or none, and its weights under the names of their fields now.
+
+    What is sculpted on a field goes with it; where two become one, both lie on top of each other.
+    """
     kept = tuple(units.get(each.number, each) for each in project.units)
     emotions = tuple(_emotion_now(each, project, name_now) for each in project.emotions)
     return replace(
@@ -21,7 +25,20 @@ def refielded(project: Project, units: Mapping[int, ActionUnit | None], name_now
         units=tuple(unit for unit in kept if unit is not None),
         emotions=emotions,
         expression=_largest(project.expression, name_now),
+        corrections=_together(project, name_now),
     )
+
+
+def _together(project: Project, name_now: Renaming) -> Corrections:
+    """The corrections under the names that their fields have now; the very same if nothing sculpted is touched."""
+    if all(name_now(name) == name for name in project.corrections):
+        return project.corrections
+    found: dict[str, Correction] = {}
+    for name, each in project.corrections.items():
+        now = name_now(name)
+        if now is not None:
+            found[now] = joined(found[now], each, len(project.face.skin.positions)) if now in found else each
+    return dict(sorted(found.items()))
 
 
 def _emotion_now(emotion: Emotion, project: Project, name_now: Renaming) -> Emotion:

@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Collection
 from dataclasses import replace
 
 from app.authoring.renaming import refielded, spelled
+from app.authoring.unit_names import BY_NUMBER, checked_name, checked_number, free_name, free_number
 from app.errors import UnitError
 from facemodel.actions import EXAGGERATED, GROUP_TITLES, ActionUnit, Group, JawMotion, resolve
 from facemodel.errors import UnknownNameError
 from facemodel.muscles.muscle import Model
 from facemodel.project import Project
+from facemodel.sculpting.correction import copied, halved
 
-FIRST_OWN = 101
-"""Where the numbers of units begin that FACS does not know; its own end at 92."""
-
-LARGEST_NUMBER = 999
-LONGEST_NAME = 100
 LONGEST_NOTE = 20_000
 
 LARGEST_ACTIVATION = 20.0
@@ -36,12 +32,6 @@ SMALLEST_LIMIT = 0.05
 FARTHEST = 30.0
 """Millimetres of slide; condyles slide 15."""
 
-BY_NUMBER = re.compile(r"(au)?[\s_-]*\d+[\s_-]*[lr]?", re.IGNORECASE)
-"""What names a unit by its number already."""
-
-ONE_SIDE = re.compile(r".*[\s_-][lr]", re.IGNORECASE)
-"""What names one side of a unit already."""
-
 
 def unit_of(project: Project, number: int) -> ActionUnit:
     """The action unit with a number.
@@ -56,12 +46,6 @@ def unit_of(project: Project, number: int) -> ActionUnit:
             return unit
     known = ", ".join(str(unit.number) for unit in project.units) or "none yet"
     raise UnknownNameError(f"There is no action unit {number}; this face has {known}.")
-
-
-def free_number(project: Project) -> int:
-    """The first number for a unit that FACS does not know."""
-    taken = {unit.number for unit in project.units}
-    return next(number for number in range(FIRST_OWN, LARGEST_NUMBER + 1) if number not in taken)
 
 
 def with_new_unit(
@@ -79,8 +63,8 @@ def with_new_unit(
     UnitError
         If the number or the name is taken or cannot be one.
     """
-    own = free_number(project) if number is None else _checked_number(project, number)
-    title = _checked_name(project, name) if name else _free_name(project, "new action")
+    own = free_number(project) if number is None else checked_number(project, number)
+    title = checked_name(project, name) if name else free_name(project, "new action")
     unit = ActionUnit(own, title, group, True, {}, 0.0)
     return replace(project, units=(*project.units, unit)), own
 
@@ -88,15 +72,20 @@ def with_new_unit(
 def with_duplicate(project: Project, number: int) -> tuple[Project, int]:
     """A project with a copy of a unit behind it; also its number."""
     unit = unit_of(project, number)
-    copy = replace(unit, number=free_number(project), name=_free_name(project, f"{unit.name} copy"))
+    copy = replace(unit, number=free_number(project), name=free_name(project, f"{unit.name} copy"))
     place = project.units.index(unit) + 1
-    return replace(project, units=(*project.units[:place], copy, *project.units[place:])), copy.number
+    sculpted = dict(zip(unit.fields, copy.fields, strict=True))
+    return replace(
+        project,
+        units=(*project.units[:place], copy, *project.units[place:]),
+        corrections=copied(project.corrections, sculpted),
+    ), copy.number
 
 
 def renamed(project: Project, number: int, name: str) -> Project:
     """A project in which a unit has another name; raises `UnitError` if it is taken or empty."""
     unit = unit_of(project, number)
-    made = with_unit(project, replace(unit, name=_checked_name(project, name, but=unit)))
+    made = with_unit(project, replace(unit, name=checked_name(project, name, but=unit)))
     names = {each for emotion in project.emotions for each in emotion.weights}
     by_name = {each for each in names if not BY_NUMBER.fullmatch(each.strip())}
     return spelled(made, {each: resolve(each, project.units) for each in by_name})
@@ -107,7 +96,7 @@ def renumbered(project: Project, number: int, to: int) -> Project:
     unit = unit_of(project, number)
     if to == number:
         return project
-    new = replace(unit, number=_checked_number(project, to))
+    new = replace(unit, number=checked_number(project, to))
     fields = dict(zip(unit.fields, new.fields, strict=True))
     return refielded(project, {number: new}, lambda name: fields.get(name, name))
 
@@ -213,7 +202,8 @@ def split(project: Project, number: int) -> Project:
     expression = {name: each for name, each in project.expression.items() if name != unit.fields[0]}
     if weight is not None:
         expression |= dict.fromkeys(both.fields, weight)
-    return with_unit(replace(project, expression=expression), both)
+    corrections = halved(project.corrections, both, project.face.skin)
+    return with_unit(replace(project, expression=expression, corrections=corrections), both)
 
 
 def joined(project: Project, number: int) -> Project:
@@ -283,33 +273,6 @@ def moved_unit(project: Project, number: int, place: int) -> Project:
 def with_unit(project: Project, unit: ActionUnit) -> Project:
     """A project with a unit in place of the one with its number."""
     return replace(project, units=tuple(unit if each.number == unit.number else each for each in project.units))
-
-
-def _checked_number(project: Project, number: int) -> int:
-    if not 1 <= number <= LARGEST_NUMBER:
-        raise UnitError(f"An action unit cannot have the number {number}; choose one from 1 to {LARGEST_NUMBER}.")
-    for unit in project.units:
-        if unit.number == number:
-            raise UnitError(f"There is an action unit {number} already ({unit.name}); choose another number.")
-    return number
-
-
-def _checked_name(project: Project, name: str, but: ActionUnit | None = None) -> str:
-    plain = " ".join(name.split())
-    if not plain or len(plain) > LONGEST_NAME:
-        raise UnitError(f"An action unit needs a name of at most {LONGEST_NAME} characters; type another one.")
-    if BY_NUMBER.fullmatch(plain) or ONE_SIDE.fullmatch(plain):
-        raise UnitError(f"“{plain}” reads like a number or a side; give the action unit a name in words.")
-    for unit in project.units:
-        if unit is not but and unit.name.lower() == plain.lower():
-            raise UnitError(f"Action unit {unit.number} is called “{unit.name}” already; choose another name.")
-    return plain
-
-
-def _free_name(project: Project, wanted: str) -> str:
-    taken = {unit.name.lower() for unit in project.units}
-    names = (wanted, *(f"{wanted} {count}" for count in range(2, len(taken) + 3)))
-    return next(name for name in names if name.lower() not in taken)
 
 
 def _check_range(what: str, value: float, least: float, most: float, unit: str) -> None:

@@ -20,6 +20,7 @@ from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
 from facemodel.projects import new_project
 from facemodel.sculpted import sculpted_solution
+from facemodel.sculpting.corrected import Corrector
 from facemodel.solve import Solution, solve_project
 
 
@@ -59,7 +60,8 @@ def solve(asked: Namespace) -> int:
 def info(asked: Namespace) -> int:
     """Show the figures."""
     project = load_project(asked.project)
-    known = figures(asked.project, project, cached_solution(project))
+    kept = cached_solution(project)
+    known = figures(asked.project, project, None if kept is None else Corrector()(kept, project))
     print(json.dumps(known, indent=1, ensure_ascii=False) if asked.json else figures_text(known))
     return 0
 
@@ -113,4 +115,4 @@ def _solved(project: Project, basis: str) -> Solution:
         solution = solve_cached(project, line)
     finally:
         line.clear()
-    return sculpted_solution(project, solution) if basis == "sculpted" else solution
+    return sculpted_solution(project, solution) if basis == "sculpted" else Corrector()(solution, project)

@@ -6,6 +6,7 @@ of the one they are given.
 
 from app.commands.command import Command, array_bytes
 from app.commands.content import EditContent, edit_content
+from app.commands.corrections import SetCorrections, set_corrections
 from app.commands.keyed import KeyedDelta
 from app.commands.painting import (
     ArrayName,
@@ -28,6 +29,7 @@ __all__ = [
     "PaintLayers",
     "PaintedRows",
     "ReplaceProject",
+    "SetCorrections",
     "SetSkull",
     "SetWeights",
     "Several",
@@ -36,6 +38,7 @@ __all__ = [
     "layer_array",
     "paint_deltas",
     "paint_layers",
+    "set_corrections",
     "set_skull",
     "set_weights",
     "with_layer_array",

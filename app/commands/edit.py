@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from app.commands.command import Command
 from app.commands.content import edit_content
+from app.commands.corrections import set_corrections
 from app.commands.painting import paint_layers
 from app.commands.skull import set_skull
 from app.commands.whole import ReplaceProject, Several
@@ -19,6 +20,7 @@ def edit(before: Project, after: Project, label: str, gesture: str = "") -> Comm
         edit_content(before, after, label, gesture),
         paint_layers(before.face, after.face, label, gesture),
         set_skull(before.face.skull, after.face.skull, label, gesture),
+        set_corrections(before.corrections, after.corrections, label, gesture),
     )
     needed = tuple(step for step in steps if step.changes)
     return needed[0] if len(needed) == 1 else Several(label, needed, gesture)

@@ -10,6 +10,7 @@ import numpy as np
 from facemodel.actions import field_names, resolve
 from facemodel.errors import UnknownNameError
 from facemodel.io.archive import LARGEST_ARCHIVE, Archive, pack, unpack
+from facemodel.io.corrections import correction_arrays, corrections_json, corrections_of, without_corrections
 from facemodel.io.damage import TAKE_BACK, DamageError, naming
 from facemodel.io.disk import read_file, replacing
 from facemodel.io.face_arrays import face_arrays, face_json, face_of
@@ -79,7 +80,10 @@ def project_bytes(project: Project) -> bytes:
         "expression": weights_json(project.expression),
         "settings": settings_json(project.settings),
     }
-    return pack(Archive(document, face_arrays(project.face)), PROJECT_MEMBER)
+    if project.corrections:
+        document["corrections"] = corrections_json(project.corrections)
+    arrays = {**face_arrays(project.face), **correction_arrays(project.corrections)}
+    return pack(Archive(document, arrays), PROJECT_MEMBER)
 
 
 def project_of(data: bytes) -> Project:
@@ -93,13 +97,15 @@ def project_of(data: bytes) -> Project:
     archive = unpack(data, PROJECT_MEMBER)
     document = parse(archive.document, ProjectDocument, PROJECT_FORMAT, PROJECT_MEMBER)
     _check_references(document)
+    face = face_of(document.face, without_corrections(archive.arrays), PROJECT_MEMBER)
     return Project(
-        face=face_of(document.face, archive.arrays, PROJECT_MEMBER),
+        face=face,
         muscles=tuple(muscle_of(record) for record in document.muscles),
         units=tuple(unit_of(record) for record in document.units),
         emotions=tuple(emotion_of(record) for record in document.emotions),
         expression=dict(document.expression),
         settings=settings_of(document.settings),
+        corrections=corrections_of(document.corrections, archive.arrays, len(face.skin.positions)),
     )
 
 
@@ -128,6 +134,8 @@ def _check_references(document: ProjectDocument) -> None:
                 ) from error
     for name in sorted(document.expression.keys() - set(field_names(units))):
         raise DamageError(f"{PROJECT_MEMBER}, expression", f"names “{name}”, which is no field of the project")
+    for name in sorted({each.field for each in document.corrections} - set(field_names(units))):
+        raise DamageError(f"{PROJECT_MEMBER}, corrections", f"names “{name}”, which is no field of the project")
 
 
 def _check_muscle(muscle: MuscleRecord, place: str) -> None:

@@ -206,6 +206,14 @@ class EmotionRecord(Record):
     place: tuple[Inside, Inside] | None = None
 
 
+class CorrectionRecord(Record):
+    """See `facemodel.sculpting.correction`; its arrays are the members ``corrections/<its number in the list>``."""
+
+    field: Name
+    amount: Annotated[float, Field(ge=0, le=1)]
+    on: bool
+
+
 class SettingsRecord(Record):
     """See `facemodel.project.Settings`."""
 
@@ -232,6 +240,7 @@ class ProjectDocument(Record):
     emotions: tuple[EmotionRecord, ...]
     expression: dict[Name, Weight]
     settings: SettingsRecord
+    corrections: tuple[CorrectionRecord, ...] = ()
 
 
 Document = TypeVar("Document", bound=Record)

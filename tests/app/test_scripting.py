@@ -5,6 +5,7 @@ import pytest
 
 from app.document import Document
 from app.scripting import Console, run_script
+from facemodel.laying.collection import muscle_of
 from facemodel.project import Project
 from facemodel.projects import new_project
 from facemodel.solve import solve_project
@@ -191,5 +192,7 @@ pasted.delete()
     assert outcome.output == "malaris_major_L malaris_major_2_L 4.0 0.02\n"
     keys = [muscle.key for muscle in document.project.muscles[-2:]]
     assert keys == ["malaris_major_L", "malaris_major_R"]
-    assert "no parameter" in run_script("muscle('malaris_major_L').colour", document).error
+    assert run_script("muscle('malaris_major_L').colour = '#F2845C'", document).error == ""
+    assert muscle_of(document.project, "malaris_major_L").colour == "#f2845c"
+    assert "no parameter" in run_script("muscle('malaris_major_L').softness", document).error
     assert "model" in run_script("muscle('malaris_major_L').model = 'rope'", document).error

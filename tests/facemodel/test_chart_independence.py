@@ -17,6 +17,9 @@ from fem.types import FloatArray
 TESTED = (12, 26)
 """A smile, whose load lies close to the mouth, and the jaw, which loads the lower face."""
 
+PAINTED = ("direction", "stretching", "bending", "stiffness", "thickness")
+"""What is interpolated on a finer mesh."""
+
 Fields = dict[str, FloatArray]
 
 
@@ -66,7 +69,7 @@ def refined(face: Face) -> Face:
         return np.einsum("pk,pk...->p...", surface.barycentric, painted[corners])
 
     skin = Mesh(surface.points.astype(np.float64), surface.triangles)
-    painted = {name: spread(getattr(face.layers, name)) for name in ("direction", "stretching", "bending", "stiffness")}
+    painted = {name: spread(getattr(face.layers, name)) for name in PAINTED}
     layers = replace(face.layers, **painted, supports=np.full(len(skin.positions), Support.FREE))
     skull = replace(face.skull, anchors=spread(face.skull.anchors), jawbone=spread(face.skull.jawbone))
     solved = (surface.triangles < surface.moving).all(axis=1)

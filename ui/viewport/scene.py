@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import lru_cache
 
 import numpy as np
 import pyvista as pv
@@ -16,10 +15,9 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from app.differences import same_head
 from app.view_state import ViewState
 from facemodel.actions import Expression
-from facemodel.basis import Basis
 from facemodel.muscles import Muscle
+from facemodel.neutral import neutral_basis
 from facemodel.project import Project
-from facemodel.sampling import ELEMENTS, display_surface, head_surface
 from facemodel.solve import Solution
 from facemodel.superposition import Superposition
 from fem.types import Float32Array, FloatArray
@@ -168,6 +166,12 @@ class Scene:
         self._paint()
         self._switch(self._overlays["influence"], self._wanted("influence"), rebuild=False)
 
+    def carry_skull(self, way: FloatArray) -> None:
+        """Draw the skull where an affine map (4, 4) takes it, until the project has it elsewhere."""
+        overlay = self._overlays["skull"]
+        if self._drawn is not None and isinstance(overlay, SkullOverlay) and overlay.shown:
+            overlay.carry(self._drawn, way)
+
     def glow(self, keys: frozenset[str]) -> None:
         """Make the skin glow where some muscles pull; an empty set ends it."""
         if self._drawn is not None and keys != self._drawn.glowing:
@@ -281,18 +285,3 @@ class Scene:
 def _painted(state: ViewState) -> tuple[bool, bool, str]:
     """The members of a view state that decide what is laid on the skin."""
     return state.influence, state.supports, state.muscle
-
-
-@lru_cache(maxsize=2)
-def neutral_basis(project: Project) -> Basis:
-    """A basis without fields, on which the neutral face can be drawn before anything is solved; remembered."""
-    face, settings = project.face, project.settings
-    display = display_surface(face, head_surface(face, ELEMENTS[settings.element]), settings.density)
-    carried = sum(count for _, count in display.carried)
-    return Basis(
-        names=(),
-        display=display,
-        fields=np.zeros((0, 3 * (carried + display.moving)), dtype=np.float32),
-        slopes=np.zeros((0, 6 * display.moving), dtype=np.float32),
-        jaw=np.zeros((0, 2)),
-    )

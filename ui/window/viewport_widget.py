@@ -19,6 +19,7 @@ from facemodel.actions import Expression
 from facemodel.face import Face
 from facemodel.io.disk import replacing
 from facemodel.muscles import Muscle
+from facemodel.neutral import neutral_basis
 from facemodel.project import Project
 from facemodel.solve import Solution
 from ui.panels.muscle_text import muscle_label
@@ -26,7 +27,7 @@ from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID
 from ui.viewport.interaction import CameraHands
 from ui.viewport.look import look_of
-from ui.viewport.scene import Scene, neutral_basis
+from ui.viewport.scene import Scene
 from ui.widgets.pointer_label import PointerLabel
 from ui.window.canvas import FRAME, Canvas
 from ui.window.face_pointer import FacePointer

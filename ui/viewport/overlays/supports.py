@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from facemodel.display import DisplaySurface
 from facemodel.face import Face
+from facemodel.sampling import points_of_vertices
 from fem import Support
 from fem.types import Float32Array, IntArray
 from ui.viewport.overlays.overlay import Drawn, Overlay
@@ -38,15 +38,6 @@ def held_vertices(face: Face) -> dict[Support, IntArray]:
     solved[face.skin.triangles[face.solved]] = True
     kinds[face.skin.triangles[~face.solved]] = Support.CLAMPED
     return {kind: np.flatnonzero(solved & (kinds == kind)) for kind in COLOURS}
-
-
-def points_of_vertices(face: Face, display: DisplaySurface) -> IntArray:
-    """The drawn point (N,) that lies on each skin vertex."""
-    corner = display.barycentric.argmax(axis=1)
-    on = np.flatnonzero(display.barycentric.max(axis=1) > 1 - 1e-6)
-    found = np.full(len(face.skin.positions), -1, dtype=np.int64)
-    found[face.skin.triangles[display.elements[on], corner[on]]] = on
-    return found
 
 
 class SupportsOverlay(Overlay):
