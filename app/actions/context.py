@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, Protocol
@@ -12,6 +13,7 @@ from app.document import Document
 from app.settings import UserSettings
 from app.solving import Solving
 from app.view import View
+from facemodel.actions import ActionUnit
 
 Answer = Literal["save", "discard", "cancel"]
 
@@ -36,6 +38,21 @@ class FileQuestion:
     writes: bool
 
 
+@dataclass(frozen=True)
+class Merge:
+    """How one action unit is made of two.
+
+    Attributes
+    ----------
+    other : number of the one that goes into the first and is gone then
+    own, share : how much of the first and of the other one is taken; 1 is all of it
+    """
+
+    other: int
+    own: float = 1.0
+    share: float = 1.0
+
+
 class Host(Protocol):
     """Services of the window.  Questions return when they are answered."""
 
@@ -44,6 +61,9 @@ class Host(Protocol):
 
     def ask_unsaved(self, name: str) -> Answer:
         """What to do with the unsaved changes of a document."""
+
+    def ask_merge(self, unit: ActionUnit, others: Sequence[ActionUnit]) -> Merge | None:
+        """Which action unit goes into another one, and how much of both; none if the person thought better of it."""
 
     def show_error(self, sentence: str) -> None:
         """Show what went wrong."""

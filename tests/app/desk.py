@@ -1,9 +1,12 @@
 """A person at a window, and what the window lets that person do."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from app.actions import Action, Answer, Context, FileQuestion, all_actions, perform
+from app.actions.context import Merge
+from facemodel.actions import ActionUnit
 
 
 @dataclass
@@ -13,6 +16,7 @@ class Desk:
     path: Path | None = None
     script: Path | None = None
     answer: Answer = "cancel"
+    merge: Merge | None = None
     text: str = ""
     questions: list[FileQuestion | str] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)
@@ -26,6 +30,10 @@ class Desk:
     def ask_unsaved(self, name: str) -> Answer:
         self.questions.append(name)
         return self.answer
+
+    def ask_merge(self, unit: ActionUnit, others: Sequence[ActionUnit]) -> Merge | None:
+        self.questions.append(f"{unit.number} with one of {', '.join(str(each.number) for each in others)}")
+        return self.merge
 
     def show_error(self, sentence: str) -> None:
         self.errors.append(sentence)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QGuiApplication
 
-from app.actions.context import Answer, FileQuestion
+from app.actions.context import Answer, FileQuestion, Merge
+from facemodel.actions import ActionUnit
+from ui.panels.actions.merge_page import ask_merge
 from ui.window import dialogs
 from ui.window.about_page import about_page
 from ui.window.shortcut_page import ShortcutPage
@@ -34,6 +37,10 @@ class WindowHost:
     def ask_unsaved(self, name: str) -> Answer:
         """What to do with the unsaved changes of a document."""
         return dialogs.ask_unsaved(self._window, name)
+
+    def ask_merge(self, unit: ActionUnit, others: Sequence[ActionUnit]) -> Merge | None:
+        """Which action unit goes into another one, and how much of both; none if the person thought better of it."""
+        return ask_merge(self._window, unit, others)
 
     def show_error(self, sentence: str) -> None:
         """Show what went wrong."""

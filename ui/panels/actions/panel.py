@@ -20,7 +20,7 @@ from facemodel.actions import ActionUnit
 from ui.panels.actions.expression_list import ExpressionList
 from ui.panels.actions.superposition_box import SuperpositionBox
 from ui.panels.actions.tool_button import tool_button
-from ui.panels.actions.unit_deeds import UNIT_ACTIONS
+from ui.panels.actions.unit_deeds import UNIT_ACTIONS, place
 from ui.panels.actions.unit_editor import UnitEditor
 from ui.panels.actions.unit_list import UnitList
 from ui.theme.icons import icon
@@ -33,6 +33,7 @@ HEIGHTS = 330, 420
 GLYPHS = {
     "unit.duplicate": "content-duplicate",
     "unit.split": "arrow-split-vertical",
+    "unit.merge": "merge",
     "unit.solo": "account-eye-outline",
     "unit.fill": "table-arrow-down",
     "unit.delete": "trash-can-outline",
@@ -85,8 +86,14 @@ class ActionsPanel(QWidget):
         self.editor.hovered.connect(self.muscles_hovered)
         self.units.deleted.connect(lambda: perform(self._actions["unit.delete"], self._context))
         self.units.renamed.connect(self.editor.focus_name)
+        self.units.stepped.connect(self._step)
+        self.units.dropped.connect(lambda number, where: place(self._context, number, *where))
         for signal in state_signals(self._context):
             signal.connect(self.refresh)
+
+    def _step(self, by: int) -> None:
+        """List the unit in hand further up or down."""
+        perform(self._actions["unit.up" if by < 0 else "unit.down"], self._context)
 
     def _point_at(self, unit: ActionUnit | None) -> None:
         """Name the muscles of the unit under the pointer."""

@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from app.actions.action import Action
 from app.actions.context import Context
 from app.authoring.facs_table import filled_from_facs
-from app.authoring.units import joined, split, unit_of, with_duplicate, with_new_unit, with_unit, without_units
-from facemodel.actions import ActionUnit
+from app.authoring.ordering import listed, placed, stepped
+from app.authoring.units import (
+    joined,
+    merged,
+    split,
+    unit_of,
+    with_duplicate,
+    with_new_unit,
+    with_unit,
+    without_units,
+)
+from facemodel.actions import ActionUnit, Group
 from ui.panels.unit_text import unit_title
 
 MENU = ("Edit", "Action unit")
@@ -81,6 +92,41 @@ def fill(context: Context) -> None:
         context.host.show_message("Filled all action units from the FACS table.")
 
 
+def place(context: Context, number: int, group: Group, before: int | None) -> None:
+    """List a unit in front of another one, or at the end of a group."""
+    project = context.document.project
+    made = placed(project, number, group, before)
+    context.document.edit(made, f"Move {unit_title(unit_of(project, number))}")
+    context.view.change(unit=number)
+
+
+def step(context: Context, by: int) -> None:
+    """List the unit in hand one place further up (-1) or down (1)."""
+    unit = _wanted(context)
+    context.document.edit(stepped(context.document.project, unit.number, by), f"Move {unit_title(unit)}")
+
+
+def merge(context: Context) -> None:
+    """Let the unit in hand do so much of what it and another one do, in place of both."""
+    unit, project = _wanted(context), context.document.project
+    asked = context.host.ask_merge(unit, partners(context))
+    if asked is None:
+        return
+    gone = unit_of(project, asked.other)
+    made = merged(project, unit.number, asked.other, asked.own, asked.share)
+    context.document.edit(made, f"Merge {unit_title(gone)} into {unit_title(unit)}")
+    context.host.show_message(
+        f"AU {unit.number} now does {asked.own:.0%} of itself and {asked.share:.0%} of AU {gone.number}."
+    )
+
+
+def partners(context: Context) -> tuple[ActionUnit, ...]:
+    """The units that the one in hand can be merged with."""
+    unit = in_hand(context)
+    units = listed(context.document.project)
+    return tuple(each for each in units if unit is not None and each is not unit and each.paired == unit.paired)
+
+
 def delete(context: Context) -> None:
     """Delete the unit in hand; expressions let go of it."""
     unit = _wanted(context)
@@ -117,6 +163,14 @@ def _fits(context: Context) -> bool:
         return False
     moved = reached(context, unit)
     return moved is not None and moved >= STILL
+
+
+def _steps(by: int) -> Callable[[Context], bool]:
+    def can(context: Context) -> bool:
+        rows, unit = listed(context.document.project), in_hand(context)
+        return unit is not None and 0 <= rows.index(unit) + by < len(rows)
+
+    return can
 
 
 def _paired(context: Context) -> bool:
@@ -165,6 +219,33 @@ UNIT_ACTIONS = (
         menu=MENU,
         group=2,
         hint="Give every unit the muscles and weights of FACS, in one step",
+    ),
+    Action(
+        "unit.merge",
+        "Merge with another action unit…",
+        merge,
+        menu=MENU,
+        group=1,
+        hint="Make one unit of two: it does what both did, each in a share of its own",
+        enabled=lambda context: bool(partners(context)),
+    ),
+    Action(
+        "unit.up",
+        "Move action unit up",
+        lambda context: step(context, -1),
+        menu=MENU,
+        group=2,
+        hint="List the unit one place further up (Alt+Up in the list)",
+        enabled=_steps(-1),
+    ),
+    Action(
+        "unit.down",
+        "Move action unit down",
+        lambda context: step(context, 1),
+        menu=MENU,
+        group=2,
+        hint="List the unit one place further down (Alt+Down in the list)",
+        enabled=_steps(1),
     ),
     Action("unit.delete", "Delete action unit", delete, menu=MENU, group=3, hint="Delete the unit", enabled=_any),
 )

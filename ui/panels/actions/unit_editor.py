@@ -26,6 +26,7 @@ from facemodel.actions import GROUP_TITLES, ActionUnit, JawMotion
 from facemodel.errors import RisoriusError
 from facemodel.project import Project
 from ui.panels.actions.unit_deeds import UNIT_ACTIONS, in_hand, reached
+from ui.panels.actions.unit_range import UnitRange
 from ui.panels.actions.unit_weights import UnitWeights, heading
 from ui.panels.live_edit import LiveEdit
 from ui.panels.unit_text import unit_title
@@ -67,6 +68,7 @@ class UnitEditor(QWidget):
         self.opening = self._bar("Opening", OPENING, lambda unit, value: _jaw(unit, degrees=value))
         self.slide = self._bar("Slide forward", SLIDE, lambda unit, value: _jaw(unit, slide=value))
         self.amplitude = self._bar("Meant to move", AMPLITUDE, lambda unit, value: replace(unit, amplitude=value))
+        self.range = UnitRange(context)
         self.moved = _quiet("")
         self.fit = QPushButton("Fit")
         self.fit.setToolTip(FIT.hint)
@@ -97,6 +99,7 @@ class UnitEditor(QWidget):
         for bar, value in shown:
             if not bar.held:
                 bar.set_value(value)
+        self.range.show_unit(unit)
         self.muscles.show_unit(unit)
         self.show_result()
 
@@ -229,6 +232,8 @@ class UnitEditor(QWidget):
         form.addWidget(heading("Skin"))
         form.addLayout(result)
         form.addWidget(self.moved)
+        form.addSpacing(GRID)
+        form.addWidget(self.range)
         layout = QVBoxLayout(self)
         layout.setSizeConstraint(QLayout.SizeConstraint.SetMinimumSize)
         layout.setContentsMargins(GRID, GRID, GRID, GRID)

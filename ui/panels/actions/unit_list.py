@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -23,12 +23,17 @@ from ui.panels.unit_text import muscle_titles, unit_matches, unit_title
 from ui.theme.apply import current_theme, interface_font
 from ui.theme.colour import blend
 from ui.theme.metrics import GRID, ROW, SMALL_TYPE
+from ui.widgets.row_drag import Drop, RowDrag
 
 NUMBER = Qt.ItemDataRole.UserRole + 1
 EMPTY = Qt.ItemDataRole.UserRole + 2
 """Whether a unit moves nothing yet."""
 
+GROUP = Qt.ItemDataRole.UserRole + 3
+"""Which group a heading is of."""
+
 NUMBER_WIDTH = 4 * GRID
+STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
 
 Cell = QModelIndex | QPersistentModelIndex
 SELECTED, HOVERED = QStyle.StateFlag.State_Selected, QStyle.StateFlag.State_MouseOver
@@ -68,18 +73,23 @@ class UnitCells(QStyledItemDelegate):
 RIGHT = Qt.AlignmentFlag.AlignRight
 
 
-class UnitList(QTreeWidget):
+class UnitList(RowDrag, QTreeWidget):
     """Binds the action unit in hand to a list, both ways.
 
     Signals
     -------
     hovered(object) : the ActionUnit under the pointer, or None
     deleted(), renamed() : the keys Delete and F2 were pressed
+    stepped(int) : Alt and an arrow were pressed, up -1 or down 1
+    dropped(object, object) : the number of a unit that was dragged, and the group and the unit in front of which it
+        is to stand, none for the end of the group
     """
 
     hovered = Signal(object)
     deleted = Signal()
     renamed = Signal()
+    stepped = Signal(int)
+    dropped = Signal(object, object)
 
     def __init__(self, document: Document, view: View) -> None:
         super().__init__()
@@ -130,8 +140,10 @@ class UnitList(QTreeWidget):
             heading.setHidden(not shown)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Delete and F2 mean the unit, the rest moves through the list."""
-        if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+        """Delete, F2 and Alt with an arrow mean the unit, the rest moves through the list."""
+        if event.modifiers() & Qt.KeyboardModifier.AltModifier and event.key() in STEPS:
+            self.stepped.emit(STEPS[Qt.Key(event.key())])
+        elif event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self.deleted.emit()
         elif event.key() == Qt.Key.Key_F2:
             self.renamed.emit()
@@ -142,6 +154,27 @@ class UnitList(QTreeWidget):
         """Nothing is under the pointer any more."""
         super().leaveEvent(event)  # type: ignore[arg-type]
         self.hovered.emit(None)
+
+    def row_at(self, place: QPoint) -> object:
+        """The number of the unit at a place."""
+        item = self.itemAt(place)
+        return item.data(0, NUMBER) if item is not None else None
+
+    def drop_at(self, place: QPoint) -> Drop | None:
+        """In front of the unit or behind it, whichever half the pointer is on; on a heading at the top of its group."""
+        item = self.itemAt(place)
+        if item is None:
+            *_, last = (None, *(row for row in self._rows() if not row.isHidden()))
+            return last and Drop((last.parent().data(0, GROUP), None), self.visualItemRect(last).bottom())
+        area = self.visualItemRect(item)
+        if item.parent() is None:
+            first = item.child(0)
+            return Drop((item.data(0, GROUP), first.data(0, NUMBER)), area.bottom())
+        group = item.parent().data(0, GROUP)
+        if place.y() < area.center().y():
+            return Drop((group, item.data(0, NUMBER)), area.top())
+        after = item.parent().child(item.parent().indexOfChild(item) + 1)
+        return Drop((group, after.data(0, NUMBER) if after is not None else None), area.bottom() + 1)
 
     def row_of(self, number: int) -> QTreeWidgetItem | None:
         """The row of a unit."""
@@ -155,6 +188,7 @@ class UnitList(QTreeWidget):
             if not units:
                 continue
             heading = QTreeWidgetItem(self, [title])
+            heading.setData(0, GROUP, group)
             heading.setFlags(Qt.ItemFlag.ItemIsEnabled)
             for unit in units:
                 row = QTreeWidgetItem(heading, [unit_title(unit)])

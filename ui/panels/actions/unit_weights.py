@@ -10,6 +10,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from app.actions.context import Context
+from app.authoring.units import LET_GO
 from facemodel.actions import ActionUnit
 from facemodel.laying.values import GROUPS
 from facemodel.muscles import Muscle
@@ -34,7 +35,7 @@ def weight_scale(unit: ActionUnit, muscle: Muscle) -> NumberScale:
     """The range of a muscle's activation in a unit: below zero for lids, which a levator lowers as it lets go."""
     weight = unit.muscles.get(muscle.name, 0.0)
     most = max(USUAL_MOST, abs(weight))
-    return NumberScale(-most if muscle.model == "lid" or weight < 0 else 0.0, most, 0.0, "")
+    return NumberScale(-most if muscle.model in LET_GO else 0.0, most, 0.0, "")
 
 
 class UnitWeights(QWidget):
