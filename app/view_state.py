@@ -50,6 +50,8 @@ class ViewState:
     contours, glyphs : lines of equal value, and ellipses of the stiffness, drawn with the layer
     before : show the face as it was before the last solve
     change_map : colour the skin by how far the last solve moved what is shown
+    depth_map : colour the skin by how deep the bone lies
+    origins_follow : muscles go along when the bone moves that they come from
     linked : the sliders of left and right move together
     """
 
@@ -75,6 +77,8 @@ class ViewState:
     glyphs: bool = False
     before: bool = False
     change_map: bool = False
+    depth_map: bool = False
+    origins_follow: bool = True
     linked: bool = True
 
     @property

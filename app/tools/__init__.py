@@ -5,13 +5,14 @@ from app.tools.brush_state import BrushState, HandBrush
 from app.tools.fibre import FibreTool
 from app.tools.fill import FillTool
 from app.tools.lasso import LassoTool
+from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
 from app.tools.pointer import Hit, Pointer, Projector, Ray, skin_hit, skull_hit
 from app.tools.select import SelectTool
 from app.tools.sight import Ghost, Grip, Ring, Sight, Working
 from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 
-TOOLS = (SelectTool, BrushTool, LassoTool, FillTool, FibreTool)
+TOOLS = (SelectTool, BrushTool, LassoTool, FillTool, FibreTool, MoveSkull, TurnSkull, ScaleSkull)
 """All tools, in the order in which they are shown."""
 
 __all__ = [
@@ -26,14 +27,17 @@ __all__ = [
     "HandBrush",
     "Hit",
     "LassoTool",
+    "MoveSkull",
     "Pointer",
     "Projector",
     "Ray",
     "Ring",
+    "ScaleSkull",
     "SelectTool",
     "Sight",
     "Tool",
     "ToolBox",
+    "TurnSkull",
     "Working",
     "skin_hit",
     "skull_hit",

@@ -83,7 +83,10 @@ class Pointer:
 
 
 class Projector(Protocol):
-    """How the viewport sees the skin now, asked when a lasso is closed."""
+    """How the viewport sees the head now, asked when a lasso is closed or a handle is sought."""
+
+    def millimetres(self, place: FloatArray | None = None) -> float:
+        """Width of a pixel at a place (3,), or at what the camera looks at."""
 
     def skin_on_screen(self) -> tuple[FloatArray, BoolArray]:
         """Pixels (N, 2) of every skin vertex as it is posed, and whether (N,) it faces the eye and can be seen."""

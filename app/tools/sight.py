@@ -86,6 +86,10 @@ class Sight:
     """(Grip | None)"""
     outline_changed = Signal(object)
     """((k, 2) pixels of the lasso so far | None)"""
+    pose_changed = Signal(object)
+    """(Pose of the skull while it is moved | None where the project has it)"""
+    part_changed = Signal(object)
+    """(Part of the handles about the skull that would be taken, or is held | None)"""
     pointed_changed = Signal(str)
     """(key of the muscle under the pointer, empty for none)"""
 
@@ -104,4 +108,6 @@ class Sight:
         self.ghost_changed.emit(None)
         self.grip_changed.emit(None)
         self.outline_changed.emit(None)
+        self.pose_changed.emit(None)
+        self.part_changed.emit(None)
         self.point_at("")
