@@ -1,0 +1,90 @@
+"""What a hand in the panel does to the selected muscles: seen while it moves, one step when it lets go."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from app.actions.context import Context
+from app.tools.locks import locked_among, refuse_locked
+from facemodel.errors import RisoriusError
+from facemodel.laying.collection import muscle_of, with_muscle
+from facemodel.muscles import Muscle
+from facemodel.project import Project
+from ui.panels.live_edit import LiveEdit
+from ui.panels.muscles.selection import chosen, titles
+
+Change = Callable[[Muscle], Muscle]
+
+
+class MuscleEdit:
+    """Changes every selected muscle alike.
+
+    Parameters
+    ----------
+    context : document, view and window
+    refused : called when something cannot be done, which the status line then says; what is shown is to be put right
+    """
+
+    def __init__(self, context: Context, refused: Callable[[], None]) -> None:
+        self.context = context
+        self._live = LiveEdit(context.document, context.solving)
+        self._refused = refused
+
+    @property
+    def muscles(self) -> tuple[Muscle, ...]:
+        """The selected muscles, the one selected last first."""
+        return chosen(self.context.document.project, self.context.view.state)
+
+    @property
+    def locked(self) -> tuple[Muscle, ...]:
+        """Those that are locked, and the locked partners that would change with the selected ones."""
+        return locked_among(self.context.document.project, self.context.view.state, self.muscles)
+
+    def propose(self, change: Change, what: str) -> None:
+        """Change the muscles as the hand means it now; ``what`` is what the step will call it, as in “Width of …”."""
+        muscles = self.muscles
+        keys = [muscle.key for muscle in muscles]
+
+        def act() -> None:
+            self.refuse_locked(muscles)
+            self._live.propose(partial(_changed, keys=keys, change=change), f"{what} {titles(muscles)}")
+
+        self.told(act)
+
+    def keep(self) -> None:
+        """The hand let go: what it asked for last is one step."""
+        self._live.keep()
+
+    def cancel(self) -> None:
+        """All is as it was before the hand took hold."""
+        self._live.cancel()
+
+    def now(self, change: Change, what: str) -> None:
+        """Change the muscles at once, in one step."""
+        muscles = self.muscles
+
+        def act() -> None:
+            self.refuse_locked(muscles)
+            project = _changed(self.context.document.project, [muscle.key for muscle in muscles], change)
+            self.context.document.edit(project, f"{what} {titles(muscles)}")
+
+        self.told(act)
+
+    def refuse_locked(self, muscles: tuple[Muscle, ...]) -> None:
+        """Nothing, unless one of some muscles is locked; then `MuscleError`."""
+        refuse_locked(self.context.document.project, self.context.view.state, muscles)
+
+    def told(self, act: Callable[[], None]) -> None:
+        """Do something; what is wrong with it is told, and what is shown is what stands."""
+        try:
+            act()
+        except RisoriusError as error:
+            self.context.host.show_message(str(error))
+            self._refused()
+
+
+def _changed(project: Project, keys: list[str], change: Change) -> Project:
+    for key in keys:
+        project = with_muscle(project, change(muscle_of(project, key)))
+    return project
