@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cache
 
 import numpy as np
 
 from facemodel.basis import Basis
 from facemodel.display import DisplaySurface
-from facemodel.face import Face
+from facemodel.face import Face, Layers
 from facemodel.mesh import Mesh
 from facemodel.projects import new_project
 from facemodel.sampling import HeadSurface, display_surface, head_surface
@@ -41,12 +41,12 @@ def random_basis(display: DisplaySurface) -> Basis:
     """Fields without meaning on a drawn face; what they cost does not depend on their numbers."""
     rng = np.random.default_rng(0)
     points = sum(count for _, count in display.carried) + display.moving
-    fields = np.empty((FIELDS, 3 * points), dtype=np.float32)
+    moved = np.empty((FIELDS, 3 * points), dtype=np.float32)
     slopes = np.empty((FIELDS, 6 * display.moving), dtype=np.float32)
     for row in range(FIELDS):
-        fields[row] = rng.random(fields.shape[1], dtype=np.float32) * 0.02
+        moved[row] = rng.random(moved.shape[1], dtype=np.float32) * 0.02
         slopes[row] = rng.random(slopes.shape[1], dtype=np.float32) * 0.001
-    return Basis(tuple(f"field {k}" for k in range(FIELDS)), display, fields, slopes, np.zeros((FIELDS, 2)))
+    return Basis(tuple(f"field {k}" for k in range(FIELDS)), display, moved, slopes, np.zeros((FIELDS, 2)))
 
 
 def refined(face: Face, count: int) -> Face:
@@ -65,8 +65,7 @@ def refined(face: Face, count: int) -> Face:
 
     head = head_surface(face, HCT12)
     positions = sample_operators(head.assembler, element, barycentric).value @ head.coefficients
-    names = ("direction", "stretching", "bending", "stiffness")
-    painted = {name: spread(getattr(face.layers, name)) for name in names}
+    painted = {each.name: spread(getattr(face.layers, each.name)) for each in fields(Layers) if each.name != "supports"}
     return replace(
         face,
         skin=Mesh(positions, triangles),

@@ -12,6 +12,10 @@ FEW = 0.6
 and writes the total for every active field, the product reads every field but keeps the total in the cache
 (measured at 25 thousand to a million points)."""
 
+ABREAST = 8
+"""Fields that one product reads side by side.  A processor foresees about so many streams of memory, and BLAS handles
+eight at once; with more it waits (measured from 4 to all 50: up to a tenth slower)."""
+
 
 def add_field(total: Float32Array, field: Float32Array, weight: float) -> None:
     """Add a weighted field (n,) to the first n numbers of a total, in place."""
@@ -34,4 +38,6 @@ def sum_fields(total: Float32Array, rest: Float32Array, fields: Float32Array, we
         for row in active:
             add_field(total, fields[row], float(weights[row]))
     else:
-        sgemv(1.0, fields.T, weights, beta=1.0, y=total, overwrite_y=True)
+        for first in range(0, len(weights), ABREAST):
+            some = slice(first, first + ABREAST)
+            sgemv(1.0, fields[some].T, weights[some], beta=1.0, y=total, overwrite_y=True)

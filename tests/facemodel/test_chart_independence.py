@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from facemodel.chart import make_chart
-from facemodel.face import Face
+from facemodel.face import Face, Layers
 from facemodel.mesh import Mesh, submesh
 from facemodel.project import Project, Settings
 from facemodel.sampling import ELEMENTS, display_surface, head_surface
@@ -17,7 +17,7 @@ from fem.types import FloatArray
 TESTED = (12, 26)
 """A smile, whose load lies close to the mouth, and the jaw, which loads the lower face."""
 
-PAINTED = ("direction", "stretching", "bending", "stiffness", "thickness")
+PAINTED = tuple(each.name for each in fields(Layers) if each.name != "supports")
 """What is interpolated on a finer mesh."""
 
 Fields = dict[str, FloatArray]
