@@ -29,9 +29,9 @@ opposite to the lamp, as it does in a dish."""
 LIMBUS = 0.9
 """Width over which the white turns into the iris."""
 
-AROUND = 104
-SCLERA_RINGS = 13
-IRIS_RINGS = 15
+AROUND = 80
+SCLERA_RINGS = 9
+IRIS_RINGS = 13
 CORNEA_AROUND = 40
 CORNEA_RINGS = 9
 

@@ -23,7 +23,7 @@ HEIGHTS = {"upper": (10.4, 9.0, 10.0, 8.6, 8.2, 7.4, 7.0), "lower": (8.8, 9.0, 1
 """Heights of the crowns in millimetres."""
 PAPILLA = 0.70
 """Height of the gum's tip between two teeth over that of the crowns beside it."""
-ACROSS = np.sin(np.pi / 2 * np.linspace(-1, 1, 11))
+ACROSS = np.sin(np.pi / 2 * np.linspace(-1, 1, 9))
 """Columns of a tooth, -1..1, close together where it meets its neighbour."""
 FRONT = np.array([1.00, 0.90, 0.72, 0.48, 0.25, 0.10, 0.03])
 """Rows of a crown over its height, from just under the gum down to the cutting edge."""
