@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from facemodel.errors import UnknownNameError
@@ -40,10 +40,26 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class JawMotion:
-    """What an action unit does to the mandible at activation 1: opening in degrees, slide in millimetres."""
+    """What an action unit does to the mandible at activation 1.
+
+    Attributes
+    ----------
+    degrees : opening
+    slide : of the condyles forward along the articular eminence, millimetres
+    side : of the lower incisors to the subject's left, millimetres; below zero to the right
+    """
 
     degrees: float
     slide: float = 0.0
+    side: float = 0.0
+
+    def __bool__(self) -> bool:
+        return bool(self.degrees or self.slide or self.side)
+
+    @property
+    def mirrored(self) -> JawMotion:
+        """Its mirror image: the jaw goes to the other side, and opens and slides as before."""
+        return replace(self, side=-self.side) if self.side else self
 
 
 @dataclass(frozen=True)
@@ -79,6 +95,12 @@ class ActionUnit:
     def fields(self) -> tuple[str, ...]:
         """Names of its displacement fields: ``("12L", "12R")`` or ``("17",)``."""
         return (f"{self.number}L", f"{self.number}R") if self.paired else (str(self.number),)
+
+    def jaw_of(self, field_name: str) -> JawMotion | None:
+        """What one of its fields does to the mandible: the right one of a pair is the mirror image of the left one."""
+        if self.jaw is None or not self.paired or field_name == self.fields[0]:
+            return self.jaw
+        return self.jaw.mirrored
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,8 @@ class Basis:
     fields : (M, 3 Q) float32, C order, millimetres; Q = the points of the parts that the skin carries, in the
         order of ``display.carried``, then the moving skin points
     slopes : (M, 6 S) float32, C order; rows x, y, z of d/du and of d/dv of the S moving skin points
-    jaw : (M, 2) float64, opening in degrees and slide in millimetres, which turn the parts the jaw carries
+    jaw : (M, 3) float64, opening in degrees, slide and shift to the left in millimetres, which move the parts that
+        the jaw carries
     origin : ``solved``, ``sculpted`` or ``imported``
     """
 

@@ -121,5 +121,4 @@ def _alone(muscle: Muscle) -> Muscle:
 def _jaw(project: Project, expression: Expression) -> JawMotion | None:
     names, table = field_names(project.units), jaw_table(project.units)
     weights = np.array([expression.get(name, 0.0) for name in names])
-    degrees, slide = (float(total) for total in weights @ table)
-    return JawMotion(degrees, slide) if degrees or slide else None
+    return JawMotion(*(float(total) for total in weights @ table)) or None

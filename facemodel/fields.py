@@ -6,12 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from facemodel.actions import ActionUnit
+from facemodel.actions import ActionUnit, JawMotion
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.sampling import HeadSurface, SolvedRegion, carried_points, display_surface, field_sampler
 from fem import SampleOperators
 from fem.types import Float32Array, FloatArray, IntArray
+
+STILL = JawMotion(0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,9 +58,10 @@ def face_sampler(face: Face, head: HeadSurface, region: SolvedRegion, density: i
 
 
 def jaw_table(units: tuple[ActionUnit, ...]) -> FloatArray:
-    """Opening in degrees and slide in millimetres of every field, (M, 2)."""
-    rows = [(u.jaw.degrees, u.jaw.slide) if u.jaw else (0.0, 0.0) for u in units for _ in u.fields]
-    return np.array(rows, dtype=np.float64).reshape(-1, 2)
+    """Opening in degrees, slide and shift to the left in millimetres of every field, (M, 3)."""
+    motions = [unit.jaw_of(name) or STILL for unit in units for name in unit.fields]
+    rows = [(each.degrees, each.slide, each.side) for each in motions]
+    return np.array(rows, dtype=np.float64).reshape(-1, 3)
 
 
 def _points(points: FloatArray, count: int) -> Float32Array:

@@ -135,6 +135,6 @@ def jaw_forces(
     ----------
     springs, anchors, jawbone : as `facemodel.tissue.tissue_springs` returns them
     """
-    turn = jaw_motion(face.skull.jaw, motion.degrees, motion.slide)
+    turn = jaw_motion(face.skull.jaw, motion.degrees, motion.slide, motion.side)
     moved = anchors @ turn[:3, :3].T + turn[:3, 3] - anchors
     return springs.anchor_forces(jawbone[:, None] * moved, int(springs.vertices.max()) + 1)

@@ -22,5 +22,5 @@ def neutral_basis(project: Project) -> Basis:
         display=display,
         fields=np.zeros((0, 3 * (carried + display.moving)), dtype=np.float32),
         slopes=np.zeros((0, 6 * display.moving), dtype=np.float32),
-        jaw=np.zeros((0, 2)),
+        jaw=np.zeros((0, 3)),
     )

@@ -131,14 +131,14 @@ def sculpted_basis(
 
 
 def _jaw_of(face: Face, fields: FloatArray) -> FloatArray:
-    """Degrees of opening (M, 2) that would lower the chin as far as each field does; the slide is left out."""
+    """Jaw motions (M, 3) that would lower the chin as far as each field does: the opening alone."""
     jaw: Jaw = face.skull.jaw
     chin = face.landmarks["pogonion"]
     arm = face.skin.positions[chin] - jaw.axis.mean(axis=0)
     lowered = -np.asarray(fields, dtype=np.float64)[:, chin, 1]
     degrees = np.degrees(lowered / np.hypot(arm[1], arm[2]))
     degrees[degrees < LEAST_OPENING] = 0.0
-    return np.stack([degrees, np.zeros_like(degrees)], axis=1)
+    return np.pad(degrees[:, None], ((0, 0), (0, 2)))
 
 
 def sculpted_solution(project: Project, solution: Solution) -> Solution:

@@ -36,9 +36,10 @@ def recipes(project: Project) -> dict[str, Recipe]:
     contracted = contractions(project.units, project.muscles)
     made: dict[str, Recipe] = {}
     for unit in project.units:
-        jaw = ((unit.jaw, 1.0),) if unit.jaw and springs_carry_jaw(unit, project.muscles) else ()
+        carried = springs_carry_jaw(unit, project.muscles)
         for name in unit.fields:
-            made[name] = (*contracted[name].items(), *jaw)
+            jaw = unit.jaw_of(name)
+            made[name] = (*contracted[name].items(), *(((jaw, 1.0),) if jaw and carried else ()))
     return made
 
 

@@ -66,7 +66,7 @@ def _fields(project: Project) -> dict[str, tuple[Any, ...]]:
     """What each field depends on alone."""
     muscles = {muscle.key: muscle for muscle in project.muscles}
     hinge = (project.face.skull.jaw, project.face.skull.jawbone)
-    jaws = {name: unit.jaw for unit in project.units for name in unit.fields}
+    jaws = {name: unit.jaw_of(name) for unit in project.units for name in unit.fields}
 
     def depends(source: str | JawMotion) -> tuple[Any, ...]:
         return acting(muscles[source], project.face) if isinstance(source, str) else (source, hinge)

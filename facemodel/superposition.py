@@ -21,14 +21,15 @@ SMALLEST_NORMAL = np.float32(1e-12)
 """Guards the division where a surface folds onto itself and its normal vanishes."""
 
 
-def jaw_motion(jaw: Jaw, degrees: float, slide: float) -> FloatArray:
-    """Rigid motion (4, 4) of the mandible: a turn about the condylar axis and a slide forward and down.
+def jaw_motion(jaw: Jaw, degrees: float, slide: float, side: float = 0.0) -> FloatArray:
+    """Rigid motion (4, 4) of the mandible: a turn about the condylar axis, a slide forward and down, a shift aside.
 
     Parameters
     ----------
     jaw : the hinge
     degrees : opening
     slide : how far the condyles slide along the articular eminence, millimetres
+    side : how far the lower incisors go to the subject's left, millimetres
     """
     right, left = jaw.axis
     along = (left - right) / np.linalg.norm(left - right)
@@ -36,6 +37,29 @@ def jaw_motion(jaw: Jaw, degrees: float, slide: float) -> FloatArray:
     motion = np.eye(4)
     motion[:3, :3] = turn
     motion[:3, 3] = right - turn @ right + slide * EMINENCE
+    return aside(jaw, side, slide * EMINENCE) @ motion if side else motion
+
+
+def aside(jaw: Jaw, side: float, slid: FloatArray) -> FloatArray:
+    """Rigid motion (4, 4) of a mandible that goes to one side: it turns about the condyle of that side.
+
+    The other condyle slides forward, so that the incisors go forward as well as aside, some 60 degrees off the
+    midline to either side: the Gothic arch that they are known to draw.
+
+    Parameters
+    ----------
+    side : of the incisors to the subject's left, millimetres
+    slid : (3,) how far the condyles were brought forward before
+    """
+    right, left = jaw.axis
+    along = (left - right) / np.linalg.norm(left - right)
+    reach = jaw.teeth - right - (jaw.teeth - right) @ along * along
+    length = float(np.linalg.norm(reach))
+    turn = Rotation.from_rotvec(side / length * np.cross(reach / length, along)).as_matrix()
+    resting = (left if side > 0 else right) + slid
+    motion = np.eye(4)
+    motion[:3, :3] = turn
+    motion[:3, 3] = resting - turn @ resting
     return motion
 
 
@@ -189,8 +213,8 @@ class Superposition:
         self.normals[: normal.shape[1]] = normal.T
 
     def _turn_jaw(self) -> None:
-        degrees, slide = self._weights.astype(np.float64) @ self.basis.jaw
-        self.jaw = jaw_motion(self.face.skull.jaw, float(degrees), float(slide))
+        degrees, slide, side = (self._weights.astype(np.float64) @ self.basis.jaw).tolist()
+        self.jaw = jaw_motion(self.face.skull.jaw, degrees, slide, side)
         for part in self.face.parts:
             if part.carrier == "jaw":
                 self.parts[part.name][:] = part.mesh.positions @ self.jaw[:3, :3].T + self.jaw[:3, 3]

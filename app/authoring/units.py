@@ -30,7 +30,7 @@ SMALLEST_LIMIT = 0.05
 """A slider that goes less far shows nothing."""
 
 FARTHEST = 30.0
-"""Millimetres of slide; condyles slide 15."""
+"""Millimetres of slide or shift; condyles slide 15, and incisors go 12 aside."""
 
 
 def unit_of(project: Project, number: int) -> ActionUnit:
@@ -142,19 +142,19 @@ def check_activation(project: Project, muscle: str, weight: float) -> None:
     _check_range(f"The activation of {muscle}", weight, least, LARGEST_ACTIVATION, "")
 
 
-def with_jaw(project: Project, number: int, degrees: float, slide: float = 0.0) -> Project:
-    """A project in which a unit opens the jaw by degrees and slides it forward by millimetres at weight 1.
+def with_jaw(project: Project, number: int, degrees: float, slide: float = 0.0, side: float = 0.0) -> Project:
+    """A project in which a unit opens the jaw by degrees, and slides it forward and to the left by millimetres.
 
     Raises
     ------
     UnitError
-        If either number is out of range.
+        If one of the numbers is out of range.
     """
     unit = unit_of(project, number)
     _check_range("The opening of the jaw", degrees, -WIDEST, WIDEST, "°")
     _check_range("The slide of the jaw", slide, -FARTHEST, FARTHEST, " mm")
-    jaw = JawMotion(float(degrees), float(slide)) if degrees or slide else None
-    return with_unit(project, replace(unit, jaw=jaw))
+    _check_range("The shift of the jaw", side, -FARTHEST, FARTHEST, " mm")
+    return with_unit(project, replace(unit, jaw=JawMotion(float(degrees), float(slide), float(side)) or None))
 
 
 def with_note(project: Project, number: int, note: str) -> Project:
@@ -187,7 +187,9 @@ def with_group(project: Project, number: int, group: Group) -> Project:
 
 
 def split(project: Project, number: int) -> Project:
-    """A project in which left and right of a unit move apart; both keep the weight it has.
+    """A project in which left and right of a unit move apart; both keep the weight it has, and together do the same.
+
+    Of a unit that brings the jaw to one side that side's field does all of it, and the other one its mirror image.
 
     Raises
     ------
@@ -197,7 +199,9 @@ def split(project: Project, number: int) -> Project:
     unit = unit_of(project, number)
     if unit.paired:
         raise UnitError(f"Action unit {number} ({unit.name}) has left and right already.")
-    both = replace(unit, paired=True)
+    if unit.jaw and unit.jaw.side:
+        return _split_sideways(project, unit, unit.jaw)
+    both = replace(unit, paired=True, jaw=_times(unit.jaw, 0.5))
     weight = project.expression.get(unit.fields[0])
     expression = {name: each for name, each in project.expression.items() if name != unit.fields[0]}
     if weight is not None:
@@ -217,8 +221,20 @@ def joined(project: Project, number: int) -> Project:
     unit = unit_of(project, number)
     if not unit.paired:
         raise UnitError(f"Action unit {number} ({unit.name}) has no left and right to join.")
-    one = replace(unit, paired=False)
+    one = replace(unit, paired=False, jaw=_times(unit.jaw, 1.0 if unit.jaw and unit.jaw.side else 2.0))
     return refielded(project, {number: one}, lambda name: one.fields[0] if name in unit.fields else name)
+
+
+def _split_sideways(project: Project, unit: ActionUnit, jaw: JawMotion) -> Project:
+    both = replace(unit, paired=True, jaw=replace(jaw, side=abs(jaw.side)))
+    (whole,), own = unit.fields, both.fields[0 if jaw.side > 0 else 1]
+    return refielded(project, {unit.number: both}, lambda name: own if name == whole else name)
+
+
+def _times(jaw: JawMotion | None, factor: float) -> JawMotion | None:
+    if jaw is None:
+        return None
+    return replace(jaw, degrees=min(max(factor * jaw.degrees, -WIDEST), WIDEST), slide=factor * jaw.slide)
 
 
 def merged(project: Project, number: int, other: int, own: float = 1.0, share: float = 1.0) -> Project:
@@ -245,11 +261,12 @@ def merged(project: Project, number: int, other: int, own: float = 1.0, share: f
     names = {**first.muscles, **second.muscles}
     sums = {name: own * first.muscles.get(name, 0.0) + share * second.muscles.get(name, 0.0) for name in names}
     jaws = [(unit.jaw, part) for unit, part in ((first, own), (second, share)) if unit.jaw and part]
-    jaw = JawMotion(sum(j.degrees * part for j, part in jaws), sum(j.slide * part for j, part in jaws))
+    names_of = ("degrees", "slide", "side")
+    jaw = JawMotion(*(sum(getattr(each, name) * part for each, part in jaws) for name in names_of))
     both = replace(
         first,
         muscles={name: total for name, total in sums.items() if total},
-        jaw=jaw if jaws else None,
+        jaw=jaw or None,
         amplitude=max(own * first.amplitude, share * second.amplitude),
     )
     fields = dict(zip(second.fields, both.fields, strict=True))

@@ -129,9 +129,9 @@ class UnitHandle:
         """What it does to the jaw, see `move_jaw`."""
         return self._unit.jaw
 
-    def move_jaw(self, degrees: float, slide: float = 0.0) -> None:
-        """Open the jaw by degrees and slide it forward by millimetres at weight 1."""
-        self._do(lambda project: units.with_jaw(project, self._number, degrees, slide), "Change")
+    def move_jaw(self, degrees: float, slide: float = 0.0, side: float = 0.0) -> None:
+        """Open the jaw by degrees and slide it forward and to the subject's left by millimetres at weight 1."""
+        self._do(lambda project: units.with_jaw(project, self._number, degrees, slide, side), "Change")
 
     def duplicate(self) -> UnitHandle:
         """A copy of it, behind it in the list."""

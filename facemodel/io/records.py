@@ -136,7 +136,6 @@ def _ring_of(record: SphincterRecord) -> Sphincter:
 
 def unit_json(unit: ActionUnit) -> dict[str, Any]:
     """What `UnitRecord` reads; a limit and letters that are the usual ones are left out."""
-    jaw = unit.jaw
     document: dict[str, Any] = {
         "number": int(unit.number),
         "name": unit.name,
@@ -144,7 +143,7 @@ def unit_json(unit: ActionUnit) -> dict[str, Any]:
         "paired": bool(unit.paired),
         "muscles": weights_json(unit.muscles),
         "amplitude": float(unit.amplitude),
-        "jaw": None if jaw is None else {"degrees": float(jaw.degrees), "slide": float(jaw.slide)},
+        "jaw": None if unit.jaw is None else _jaw_json(unit.jaw),
         "note": unit.note,
     }
     if unit.limit != EXAGGERATED:
@@ -152,6 +151,12 @@ def unit_json(unit: ActionUnit) -> dict[str, Any]:
     if unit.letters != LETTERS:
         document["letters"] = [float(weight) for weight in unit.letters]
     return document
+
+
+def _jaw_json(jaw: JawMotion) -> dict[str, float]:
+    """A motion that stays in the middle says nothing of a side."""
+    middle = {"degrees": float(jaw.degrees), "slide": float(jaw.slide)}
+    return middle | {"side": float(jaw.side)} if jaw.side else middle
 
 
 def unit_of(record: UnitRecord) -> ActionUnit:
@@ -163,7 +168,7 @@ def unit_of(record: UnitRecord) -> ActionUnit:
         paired=record.paired,
         muscles=dict(record.muscles),
         amplitude=record.amplitude,
-        jaw=None if record.jaw is None else JawMotion(record.jaw.degrees, record.jaw.slide),
+        jaw=None if record.jaw is None else JawMotion(record.jaw.degrees, record.jaw.slide, record.jaw.side),
         note=record.note,
         limit=record.limit,
         letters=record.letters,

@@ -175,6 +175,7 @@ class JawMotionRecord(Record):
 
     degrees: Annotated[float, Field(ge=-90, le=90)]
     slide: Length
+    side: Length = 0.0
 
 
 class UnitRecord(Record):

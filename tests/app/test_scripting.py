@@ -125,7 +125,7 @@ def test_units_are_made_and_changed(document: Document) -> None:
         document,
     )
     assert outcome.error == ""
-    assert outcome.output == "JawMotion(degrees=5.0, slide=1.0) ('12L', '12R') ['zygomaticus_major']\n"
+    assert outcome.output == "JawMotion(degrees=5.0, slide=1.0, side=0.0) ('12L', '12R') ['zygomaticus_major']\n"
     assert [unit.number for unit in document.project.units] == [12, 20, 17]
     assert [unit.paired for unit in document.project.units] == [True, False, True]
 

@@ -12,7 +12,7 @@ def test_fields_lie_row_by_row_in_single_precision(basis: Basis) -> None:
     carried = sum(points for _, points in basis.display.carried)
     assert basis.fields.shape == (count, 3 * (carried + basis.display.moving))
     assert basis.slopes.shape == (count, 6 * basis.display.moving)
-    assert basis.jaw.shape == (count, 2)
+    assert basis.jaw.shape == (count, 3)
     for array in (basis.fields, basis.slopes):
         assert array.dtype == np.float32
         assert array.flags.c_contiguous
@@ -44,4 +44,6 @@ def test_a_part_that_the_skin_does_not_carry_has_no_field(basis: Basis) -> None:
 def test_only_the_jaw_turns_the_jaw(basis: Basis) -> None:
     turning = {name for name, motion in zip(basis.names, basis.jaw, strict=True) if motion.any()}
     assert turning == {"26", "27"}
-    assert np.all(basis.jaw[[basis.index["26"], basis.index["27"]]] > 0)
+    opening = basis.jaw[[basis.index["26"], basis.index["27"]]]
+    assert np.all(opening[:, :2] > 0)
+    assert not opening[:, 2].any()
