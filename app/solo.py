@@ -4,13 +4,32 @@ from __future__ import annotations
 
 from app.document import Document
 from app.view_state import ViewState
-from facemodel.actions import Expression
+from facemodel.actions import ActionUnit, Expression
+from facemodel.project import Project
+
+SCULPT = "sculpt"
+"""Id of the tool that sculpts the unit in hand."""
+
+
+def unit_in_hand(project: Project, state: ViewState) -> ActionUnit | None:
+    """The action unit that is worked on; none where whole expressions are, or in another workspace."""
+    if state.workspace != "actions" or state.mixing:
+        return None
+    return next((unit for unit in project.units if unit.number == state.unit), None)
+
+
+def alone(project: Project, state: ViewState, shown: Expression) -> Expression | None:
+    """The unit in hand at 1 where it is to be seen alone, or is worked on and would not be seen in what is shown."""
+    unit = unit_in_hand(project, state)
+    if unit is None:
+        return None
+    unseen = not any(shown.get(field) for field in unit.fields)
+    if state.solo or (unseen and (state.trying or state.tool == SCULPT)):
+        return dict.fromkeys(unit.fields, 1.0)
+    return None
 
 
 def seen(document: Document, state: ViewState) -> Expression:
-    """What a document shows, or in the Actions workspace the selected unit at 1 if that is asked for alone."""
-    if state.solo and state.workspace == "actions":
-        for unit in document.project.units:
-            if unit.number == state.unit:
-                return dict.fromkeys(unit.fields, 1.0)
-    return document.shown
+    """What a document shows, or in the Actions workspace the unit in hand at 1 where that is to be seen alone."""
+    lonely = alone(document.project, state, document.shown)
+    return document.shown if lonely is None else lonely

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
 ViewName = Literal["front", "left", "right", "three-quarter", "top", "free"]
 
 Workspace = Literal["expression", "actions", "muscles", "skull", "tissue"]
+
+UnitMap = Literal["", "motion", "sculpted"]
+"""What of the action unit in hand is laid on the skin as colours: nothing, how far it moves, what is sculpted on it."""
 
 WORKSPACE_TITLES: dict[Workspace, str] = {
     "expression": "Expression",
@@ -45,6 +49,10 @@ class ViewState:
     hidden, locked : keys of muscles that are not drawn, and of those that no hand changes
     unit : number of the selected action unit; none without one
     solo : show the selected action unit alone
+    trying : a hand is changing what the selected action unit is made of
+    mixing : in the Actions workspace expressions are worked on, not one action unit
+    unit_map : what of the selected action unit is laid on the skin
+    apart_map : colour the skin by how far superposition is from a full solve, where that was checked
     layer : key of the painted layer over the skin, see `facemodel.painting.layers`; empty for none
     layer_opacity : of it, 0 to 1
     contours, glyphs : lines of equal value, and ellipses of the stiffness, drawn with the layer
@@ -53,6 +61,7 @@ class ViewState:
     depth_map : colour the skin by how deep the bone lies
     origins_follow : muscles go along when the bone moves that they come from
     linked : the sliders of left and right move together
+    tools : by workspace the id of the tool in hand, where it is not the first one
     """
 
     workspace: Workspace = "expression"
@@ -71,6 +80,10 @@ class ViewState:
     locked: frozenset[str] = frozenset()
     unit: int | None = None
     solo: bool = False
+    trying: bool = False
+    mixing: bool = False
+    unit_map: UnitMap = ""
+    apart_map: bool = True
     layer: str = ""
     layer_opacity: float = 0.7
     contours: bool = False
@@ -80,6 +93,12 @@ class ViewState:
     depth_map: bool = False
     origins_follow: bool = True
     linked: bool = True
+    tools: Mapping[Workspace, str] = field(default_factory=dict)
+
+    @property
+    def tool(self) -> str:
+        """Id of the tool in hand; empty for the first one of the workspace."""
+        return self.tools.get(self.workspace, "")
 
     @property
     def selected(self) -> frozenset[str]:

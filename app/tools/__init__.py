@@ -7,12 +7,14 @@ from app.tools.fill import FillTool
 from app.tools.lasso import LassoTool
 from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
 from app.tools.pointer import Hit, Pointer, Projector, Ray, skin_hit, skull_hit
+from app.tools.sculpt import SculptTool
+from app.tools.sculpt_state import HandSculpt, SculptState
 from app.tools.select import SelectTool
 from app.tools.sight import Ghost, Grip, Ring, Sight, Working
 from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 
-TOOLS = (SelectTool, BrushTool, LassoTool, FillTool, FibreTool, MoveSkull, TurnSkull, ScaleSkull)
+TOOLS = (SelectTool, SculptTool, BrushTool, LassoTool, FillTool, FibreTool, MoveSkull, TurnSkull, ScaleSkull)
 """All tools, in the order in which they are shown."""
 
 __all__ = [
@@ -25,6 +27,7 @@ __all__ = [
     "Ghost",
     "Grip",
     "HandBrush",
+    "HandSculpt",
     "Hit",
     "LassoTool",
     "MoveSkull",
@@ -33,6 +36,8 @@ __all__ = [
     "Ray",
     "Ring",
     "ScaleSkull",
+    "SculptState",
+    "SculptTool",
     "SelectTool",
     "Sight",
     "Tool",

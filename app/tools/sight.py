@@ -84,6 +84,8 @@ class Sight:
     """(Ghost | None)"""
     grip_changed = Signal(object)
     """(Grip | None)"""
+    shifted = Signal(object)
+    """(DrawnChange: skin that goes farther than the project has it | None: all of it is back)"""
     outline_changed = Signal(object)
     """((k, 2) pixels of the lasso so far | None)"""
     pose_changed = Signal(object)

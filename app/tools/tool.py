@@ -11,6 +11,7 @@ from app.tools.brush_state import HandBrush
 from app.tools.ground import Ground
 from app.tools.pointer import Pointer, Projector
 from app.tools.region import Regions
+from app.tools.sculpt_state import HandSculpt
 from app.tools.sight import Sight
 from app.view import View
 from app.view_state import Workspace
@@ -27,6 +28,7 @@ class Bench:
     document : what is worked on
     view : what is selected and shown
     brush : how it is painted
+    sculpt : how it is sculpted
     regions : selected and locked parts of the skin
     sight : what is drawn while working
     pulls : where muscles pull
@@ -37,6 +39,7 @@ class Bench:
     document: Document
     view: View
     brush: HandBrush = field(default_factory=HandBrush)
+    sculpt: HandSculpt = field(default_factory=HandSculpt)
     regions: Regions = field(default_factory=Regions)
     sight: Sight = field(default_factory=Sight)
     pulls: MusclePulls = field(default_factory=MusclePulls)
@@ -71,6 +74,16 @@ class Tool:
     def __init__(self, bench: Bench) -> None:
         self.bench = bench
         self.busy = False
+
+    @property
+    def brush(self) -> HandBrush | HandSculpt:
+        """The brush whose size, strength and mirror are changed while the tool is in hand."""
+        return self.bench.brush
+
+    @property
+    def advice(self) -> str:
+        """One line for the status bar as things are now."""
+        return self.hint
 
     def press(self, pointer: Pointer) -> None:
         """The left button goes down: a gesture may begin, which makes the tool busy."""

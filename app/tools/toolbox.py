@@ -68,6 +68,7 @@ class ToolBox:
             if tool.id == tool_id:
                 self._put_away()
                 self._in_hand[workspace] = tool
+                self._note(tool, workspace)
                 self.tool_changed.emit(tool)
                 return
         known = ", ".join(tool.id for tool in self.offered(workspace))
@@ -109,6 +110,13 @@ class ToolBox:
         finally:
             self._routing = False
             self._tell_busy()
+
+    def _note(self, tool: Tool, workspace: Workspace) -> None:
+        """Write down what is in hand where others see it; the first tool needs no word."""
+        view = self.bench.view
+        others = {each: name for each, name in view.state.tools.items() if each != workspace}
+        first = tool is self.offered(workspace)[0]
+        view.change(tools=others if first else {**others, workspace: tool.id})
 
     def _put_away(self) -> None:
         self.cancel()

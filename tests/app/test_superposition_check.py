@@ -1,27 +1,28 @@
 """The sum of fields is what the summed loads do, but for the arc of the jaw; and the user sees where."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from app.document import Document
-from app.jobs import Failure, Job
-from app.superposition_check import SuperpositionJob, check_superposition, posed
+from app.superposition_check import SuperpositionCheck, posed
+from app.view import View
+from app.view_state import ViewState
 from facemodel.comparison import Comparison
 from facemodel.errors import FaceError
 from facemodel.project import Project
+from facemodel.sculpting.correction import correction_of
 from facemodel.solve import solve_project
 
 
 def checked(document: Document) -> Comparison:
-    found: list[Comparison] = []
-    failures: list[Failure] = []
-    job: SuperpositionJob = Job(check_superposition)
-    job.finished.connect(lambda comparison, _: found.append(comparison))
-    job.failed.connect(failures.append)
-    job.request(posed(document))
-    job.close()
-    assert not failures
-    return found[0]
+    check = SuperpositionCheck(document, View())
+    check.begin()
+    check.job.close()
+    assert not check.failure
+    assert check.found is not None
+    return check.found
 
 
 @pytest.fixture
@@ -47,11 +48,33 @@ def test_the_arc_of_the_jaw_is_found_where_the_jaw_pulls(solved: Document) -> No
     assert worst[1] < 0
 
 
-def test_a_face_at_rest_is_the_same_both_ways(solved: Document) -> None:
-    comparison = checked(solved)
-    assert (comparison.moved, comparison.largest) == (0.0, 0.0)
+def test_a_face_at_rest_has_nothing_to_check(solved: Document) -> None:
+    with pytest.raises(FaceError, match="rest"):
+        posed(solved, ViewState())
+
+
+def test_what_is_sculpted_is_no_error_of_the_superposition(solved: Document) -> None:
+    layer = correction_of(np.full((len(solved.project.face.skin.positions), 3), 2.0))
+    solved.edit(replace(solved.project, corrections={"17": layer}), "Sculpt")
+    solved.set_weights({"17": 1.0})
+    assert checked(solved).largest < 1e-4
+
+
+def test_what_is_seen_alone_is_what_is_checked_and_forgotten_when_something_else_is(solved: Document) -> None:
+    solved.set_weights({"26": 0.5})
+    view = View()
+    view.change(workspace="actions", unit=17, solo=True)
+    check = SuperpositionCheck(solved, view)
+    check.begin()
+    assert check.found is not None
+    assert check.found.largest < 1e-4
+    view.change(forces=True)
+    assert check.found is not None
+    view.change(solo=False)
+    assert check.found is None
+    check.job.close()
 
 
 def test_what_is_not_solved_cannot_be_checked(document: Document) -> None:
     with pytest.raises(FaceError, match="Solve now"):
-        posed(document)
+        posed(document, ViewState())

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QScrollArea, QToolButton, QVBoxLayout, QWidget
 
+from app.authoring.sculpting import sculpted_units
 from app.document import Document
 from app.view import View
 from app.view_state import ViewState
@@ -125,6 +126,7 @@ class ExpressionPanel(QWidget):
         self._document.units_changed.connect(self._follow_units)
         self._document.muscles_changed.connect(self._follow_units)
         self._document.emotions_changed.connect(lambda _names: self.emotions.show_project(self._document.project))
+        self._document.corrections_changed.connect(self._mark_sculpted)
         self._document.expression_changed.connect(self.show_expression)
         self._view.changed.connect(self._show_view)
         self.search.textChanged.connect(self._filter)
@@ -143,6 +145,11 @@ class ExpressionPanel(QWidget):
         titles = muscle_titles(project.muscles)
         for unit in ordered:
             self.rows[unit.number].become(unit, titles)
+
+    def _mark_sculpted(self, _fields: object) -> None:
+        sculpted = sculpted_units(self._document.project)
+        for number, row in self.rows.items():
+            row.mark_sculpted(number in sculpted)
 
     def _show_view(self, now: ViewState, _before: ViewState) -> None:
         self.link.setChecked(now.linked)

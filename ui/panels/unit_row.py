@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
+from app.authoring.sculpting import layers_of
 from app.document import Document
 from app.intensity import letter_of, typed_weight
 from app.sides import both_sides
@@ -16,6 +17,7 @@ from ui.theme.apply import current_theme
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
 from ui.widgets.activation_slider import ActivationSlider
+from ui.widgets.sculpted_mark import paint_sculpted
 from ui.widgets.weight_gestures import WeightScale
 
 NUMBER_WIDTH = 3 * GRID
@@ -39,6 +41,10 @@ class UnitRow(QWidget):
         self._document = document
         self._view = view
         self._expression: Expression = {}
+        self._sculpted = False
+        self._titles = titles
+        self._single = False
+        self._number = QLabel(str(unit.number))
         self.slider = self._slider(unit_title(unit), "both", unit.fields)
         self.sides: tuple[ActivationSlider, ...] = ()
         self.split = _button("arrow-split-vertical", f"Left and right of {unit.name} apart")
@@ -48,7 +54,8 @@ class UnitRow(QWidget):
         self._lay_out()
         self.split.toggled.connect(self._unfold)
         self.split.clicked.connect(self._part)
-        self.slider.setToolTip(unit_tooltip(unit, titles))
+        self.mark_sculpted(bool(layers_of(document.project, unit)))
+        self._explain()
 
     @property
     def weights(self) -> tuple[float, float]:
@@ -74,10 +81,24 @@ class UnitRow(QWidget):
 
     def become(self, unit: ActionUnit, titles: MuscleTitles) -> None:
         """Stand for the same unit made of other muscles."""
-        self.unit = unit
-        self.slider.setToolTip(unit_tooltip(unit, titles))
+        self.unit, self._titles = unit, titles
+        self._explain()
         for slider in (self.slider, *self.sides):
             slider.scale = weight_scale(unit)
+
+    def mark_sculpted(self, on: bool) -> None:
+        """Show whether somebody has sculpted the unit."""
+        if on != self._sculpted:
+            self._sculpted = on
+            self._explain()
+            self.update()
+
+    def stand_alone(self) -> None:
+        """Be the only row where it stands: number and marks, which tell it from others, are left out."""
+        self._single = True
+        self._number.hide()
+        self._grid.setColumnMinimumWidth(1, 0)
+        self._grid.setContentsMargins(0, 1, 0, 1)
 
     def unfold(self, unfolded: bool) -> None:
         """Show left and right apart, if it has them."""
@@ -89,20 +110,23 @@ class UnitRow(QWidget):
         self._document.preview(both_sides(weights, (self.unit,), self._view.state.linked))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """The accent dot of a changed row."""
+        """The accent dot of a changed row, and the mark in the margin of one that is sculpted."""
+        if self._single:
+            return
+        painter = QPainter(self)
+        if self._sculpted:
+            paint_sculpted(painter, QRectF(self.rect()))
         if self.changed:
-            painter = QPainter(self)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(QColor(current_theme().accent))
             painter.drawEllipse(QRectF(GRID - DOT, (ROW - DOT) / 2, DOT, DOT))
 
     def _lay_out(self) -> None:
-        number = QLabel(str(self.unit.number))
+        number = self._number
         number.setProperty("role", "muted")
         number.setFixedWidth(NUMBER_WIDTH)
         number.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        number.setToolTip(self.slider.toolTip())
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(GRID, 1, GRID // 2, 1)
         self._grid.setHorizontalSpacing(2)
@@ -118,6 +142,12 @@ class UnitRow(QWidget):
         self.split.setVisible(self.unit.paired)
         self.clear.hide()
         self._grid.setColumnStretch(2, 1)
+
+    def _explain(self) -> None:
+        """Say on the slider and the number what the unit is made of."""
+        told = unit_tooltip(self.unit, self._titles, self._sculpted)
+        self.slider.setToolTip(told)
+        self._number.setToolTip(told)
 
     def _unfold(self, unfolded: bool) -> None:
         if unfolded and not self.sides:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from html import escape
 
-from facemodel.actions import ActionUnit
+from facemodel.actions import ActionUnit, JawMotion
 from facemodel.muscles import Muscle
 
 MuscleTitles = Mapping[str, str]
@@ -28,15 +28,26 @@ def unit_muscles(unit: ActionUnit, titles: MuscleTitles) -> tuple[str, ...]:
     return tuple(titles.get(name, name.replace("_", " ")) for name in strongest_first)
 
 
-def unit_tooltip(unit: ActionUnit, titles: MuscleTitles) -> str:
+def jaw_words(jaw: JawMotion) -> str:
+    """What happens to the jaw, as far as anything does: ``12° open, 2 mm forward, 3 mm to the left``."""
+    ways = (
+        (jaw.degrees, "° open", "° further closed"),
+        (jaw.slide, " mm forward", " mm back"),
+        (jaw.side, " mm to the left", " mm to the right"),
+    )
+    return ", ".join(f"{abs(way):g}{one if way > 0 else other}" for way, one, other in ways if way)
+
+
+def unit_tooltip(unit: ActionUnit, titles: MuscleTitles, sculpted: bool = False) -> str:
     """Number, muscles and amplitude, as rich text of a few short lines."""
     moved = list(unit_muscles(unit, titles))
-    if unit.jaw is not None:
-        moved.append(f"jaw, {unit.jaw.degrees:g}° open")
+    if unit.jaw:
+        moved.append(f"jaw, {jaw_words(unit.jaw)}")
     lines = [
         f"<b>AU {unit.number} · {escape(unit_title(unit))}</b>",
         escape(", ".join(moved)),
         f"{unit.amplitude:g} mm at 1",
+        "sculpted by hand" if sculpted else "",
         escape(unit.note),
         "Double-click types 0.6 or C · right-click resets · Ctrl past 1 · Shift finer",
     ]

@@ -8,7 +8,7 @@ import numpy as np
 
 from facemodel.actions import Expression
 from facemodel.face import Face
-from facemodel.loads import field_forces
+from facemodel.loads import bone_forces, contractions
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import muscle_action
 from facemodel.project import Project
@@ -39,25 +39,35 @@ def strongest_muscle(project: Project, vertex: int, hidden: frozenset[str] = fro
     return best
 
 
+@lru_cache(maxsize=256)
+def muscle_force(muscle: Muscle, face: Face) -> FloatArray:
+    """Force per area (N, 3) of a muscle on the skin at full contraction, N/mm^2, turned along the bone."""
+    return bone_forces(muscle, face)
+
+
 class FieldForces:
-    """Force per area of every field of a project.
+    """Force per area of the fields of a project; other activations of the same muscles cost next to nothing.
 
     Parameters
     ----------
-    project : its units, muscles and skin count
+    project : its units, muscles and skin
     """
 
     def __init__(self, project: Project) -> None:
-        names, forces = field_forces(project.units, project.muscles, project.face)
-        self._row = {name: k for k, name in enumerate(names)}
-        self._forces = forces.astype(np.float32)
+        self._contracted = contractions(project.units, project.muscles)
+        self._muscles = {muscle.key: muscle for muscle in project.muscles}
+        self._face = project.face
 
     def of(self, expression: Expression) -> FloatArray:
         """Force per area (N, 3) on the skin of an expression, N/mm^2."""
-        total = np.zeros(self._forces.shape[1:])
+        pulls: dict[str, float] = {}
         for name, weight in expression.items():
-            if name in self._row and weight:
-                total += weight * self._forces[self._row[name]]
+            for key, activation in self._contracted.get(name, {}).items():
+                pulls[key] = pulls.get(key, 0.0) + weight * activation
+        total = np.zeros_like(self._face.skin.positions)
+        for key, pull in pulls.items():
+            if pull:
+                total += pull * muscle_force(self._muscles[key], self._face)
         return total
 
 

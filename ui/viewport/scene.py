@@ -13,6 +13,7 @@ import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.differences import same_head
+from app.solo import unit_in_hand
 from app.view_state import ViewState
 from facemodel.actions import Expression
 from facemodel.muscles import Muscle
@@ -103,7 +104,7 @@ class Scene:
         if self.figure is None or not same or not self.figure.posed.adopt(project.face, basis):
             self._become(Figure(Superposition(project.face, basis)))
         assert self.figure is not None
-        self._drawn = Drawn(project, self.figure, {}, self.state.muscle, self.state.others, hidden=self.state.hidden)
+        self._drawn = self._seen_by(self.state, Drawn(project, self.figure, {}))
         if not same:
             self.look_from(self.state.view if self.state.view in DIRECTIONS else "three-quarter")
         self._ghost()
@@ -124,7 +125,7 @@ class Scene:
             self.show(project)
             return
         before = self._drawn.project
-        self._drawn = replace(self._drawn, project=project)
+        self._drawn = self._seen_by(self.state, replace(self._drawn, project=project))
         if any(getattr(before, name) is not getattr(project, name) for name in ("face", "muscles", "units")):
             self._paint()
             for name, overlay in self._overlays.items():
@@ -145,7 +146,7 @@ class Scene:
         project_in_parallel(self.renderer.GetActiveCamera(), not state.perspective)
         if self._drawn is None:
             return
-        self._drawn = replace(self._drawn, muscle=state.muscle, others=state.others, hidden=state.hidden)
+        self._drawn = self._seen_by(state, self._drawn)
         self._ghost()
         if _painted(state) != _painted(before):
             self._paint()
@@ -246,6 +247,11 @@ class Scene:
         project = self._drawn.project
         vertex = skin_vertex(project.face, self.figure.posed.basis.display, hit)
         return strongest_muscle(project, vertex, self.state.hidden)
+
+    def _seen_by(self, state: ViewState, drawn: Drawn) -> Drawn:
+        """What is drawn with what a view state selects of it."""
+        unit = unit_in_hand(drawn.project, state)
+        return replace(drawn, unit=unit, muscle=state.muscle, others=state.others, hidden=state.hidden)
 
     def _ghost(self) -> None:
         if self.figure is not None:

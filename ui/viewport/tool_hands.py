@@ -21,8 +21,8 @@ NOTCH = 120.0
 STRIDE = 2.0
 """Pixels between two places of a stroke that are told apart; between them it is straight."""
 
-PAINTING = frozenset(("brush", "fill"))
-"""Tools that paint with the brush, whose size the wheel changes."""
+PAINTING = frozenset(("brush", "fill", "sculpt"))
+"""Tools that work with a brush, whose size the wheel changes."""
 
 
 class ToolHands(QObject):
@@ -116,7 +116,7 @@ class ToolHands(QObject):
     def _turn(self, event: QWheelEvent) -> bool:
         """The wheel with Ctrl is the size of the brush, with Shift its strength."""
         notches = event.angleDelta().y() / NOTCH
-        brush = self._toolbox.bench.brush
+        brush = self._toolbox.tool.brush
         if not notches or self._toolbox.tool.id not in PAINTING:
             return False
         if event.modifiers() == Keys.ControlModifier:

@@ -15,11 +15,13 @@ from app.actions.table import all_actions
 from app.document import Document
 from app.settings import UserSettings
 from app.solving import Solving
+from app.superposition_check import SuperpositionCheck
 from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 from app.view import View
 from app.view_state import ViewState, Workspace
 from facemodel.muscles import Muscle
+from ui.panels.actions.sculpt_deeds import SCULPT_ACTIONS
 from ui.panels.actions.unit_deeds import UNIT_ACTIONS
 from ui.panels.console_panel import ConsolePanel
 from ui.panels.expression_panel import ExpressionPanel
@@ -29,6 +31,7 @@ from ui.panels.muscles.actions import MUSCLE_ACTIONS
 from ui.viewport.tool_hands import ToolHands
 from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
+from ui.window.delivery import UiThread
 from ui.window.dock import Dock
 from ui.window.first_hints import FirstHints
 from ui.window.host import WindowHost
@@ -82,7 +85,9 @@ class MainWindow(QMainWindow):
         self.binding = ActionBinding(self, self.context, self._actions)
         self.viewport = Viewport(document, view, preparation, self)
         self.setCentralWidget(self.viewport)
-        self.panels = WorkspacePanels(Parts(self.context, bench, self.toolbox, self.viewport, preparation), WORKSPACES)
+        self.check = SuperpositionCheck(document, view, UiThread(self).deliver)
+        parts = Parts(self.context, bench, self.toolbox, self.viewport, self.check, preparation)
+        self.panels = WorkspacePanels(parts, WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")
         self.docks = {
             "workspace": Dock("workspace", "Expression", self.panels),
@@ -144,6 +149,7 @@ class MainWindow(QMainWindow):
             layout=layout_text(Layout(bytes(self.saveState().data()), self._folded, self.context.view.state.workspace)),
         )
         self.context.solving.job.close()
+        self.check.job.close()
         self.viewport.close()
         event.accept()
         self.closed.emit()
@@ -188,7 +194,9 @@ class MainWindow(QMainWindow):
         self.toolbox.tool_changed.connect(self._take_tool)
         self.toolbox.failed.connect(self.status.notify)
         bench = self.toolbox.bench
-        bench.brush.changed.connect(lambda *_now: self.binding.refresh())
+        for brush in (bench.brush, bench.sculpt):
+            brush.changed.connect(lambda *_now: (self.binding.refresh(), self._advise()))
+        document.expression_changed.connect(lambda _now: self._advise())
         bench.sight.pointed_changed.connect(self.viewport.name_muscle)
         self.expression.folds_changed.connect(self._note_folds)
         self.expression.muscles_hovered.connect(self.viewport.glow)
@@ -210,7 +218,7 @@ class MainWindow(QMainWindow):
 
     def _actions(self, context: Context) -> tuple[Action, ...]:
         of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
-        authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS)
+        authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS, *SCULPT_ACTIONS)
         return (*all_actions(context), self._console_action(), *authoring, *workspace_actions(WORKSPACES), *of_tools)
 
     def _console_action(self) -> Action:
@@ -228,9 +236,14 @@ class MainWindow(QMainWindow):
         self.hands.activate(not posing)
         self.viewport.face_pointer.awake = posing
         self.viewport.canvas.setCursor(Qt.CursorShape.ArrowCursor if posing else Qt.CursorShape.CrossCursor)
-        self.status.show_hint(IDLE_HINT if posing else tool.hint)
+        self._advise()
         self.strip.offer_tools()
         self.binding.refresh()
+
+    def _advise(self) -> None:
+        """Say in the status line what the hand can do now."""
+        posing = self.context.view.state.workspace == "expression"
+        self.status.show_hint(IDLE_HINT if posing else self.toolbox.tool.advice)
 
     def _name_panel(self, kind: WorkspaceKind) -> None:
         self.docks["workspace"].retitle(kind.title)
@@ -257,12 +270,17 @@ class MainWindow(QMainWindow):
         self.binding.refresh()
 
     def _follow_view(self, now: ViewState, before: ViewState) -> None:
-        if now.influence and not before.influence and not now.muscle and now.workspace != "muscles":
+        self._advise()
+        of_unit = now.workspace == "actions"
+        if now.influence and not before.influence and not now.muscle and now.workspace != "muscles" and not of_unit:
             self.show_workspace("muscles")
             self.status.notify("Choose the muscle whose influence is to be shown.")
 
     def _name_muscle(self, muscle: Muscle | None) -> None:
-        self.status.show_hint(IDLE_HINT if muscle is None else f"{muscle_label(muscle)} · a click selects it")
+        if muscle is None:
+            self._advise()
+        else:
+            self.status.show_hint(f"{muscle_label(muscle)} · a click selects it")
 
 
 def _dropped(event: QDropEvent) -> list[Path]:

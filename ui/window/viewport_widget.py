@@ -228,7 +228,7 @@ class Viewport(QWidget):
 
     def _apply(self, now: ViewState, before: ViewState) -> None:
         self.scene.apply(now)
-        if (now.solo, now.unit, now.workspace) != (before.solo, before.unit, before.workspace):
+        if seen(self._document, now) != seen(self._document, before):
             self._pose(self._document.shown)
         if now.before != before.before:
             self._show_anew(None)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from app.actions.action import Action
 from app.actions.context import Context
 from app.tools.brush_state import HandBrush
+from app.tools.sculpt_state import HandSculpt
 from app.tools.tool import Tool
 from app.tools.toolbox import ToolBox
 from ui.viewport.tool_hands import PAINTING
@@ -29,9 +30,8 @@ def tool_actions(toolbox: ToolBox) -> tuple[Action, ...]:
 
 
 def brush_actions(toolbox: ToolBox) -> tuple[Action, ...]:
-    """Size, strength and mirror of the brush, possible while a tool paints."""
-    brush = toolbox.bench.brush
-    entries: tuple[tuple[str, str, str, str, Callable[[HandBrush], None]], ...] = (
+    """Size, strength and mirror of the brush, possible while a tool works with one."""
+    entries: tuple[tuple[str, str, str, str, Callable[[HandBrush | HandSculpt], None]], ...] = (
         ("larger", "Larger brush", "]", "Make the brush larger", lambda hand: hand.resize(1)),
         ("smaller", "Smaller brush", "[", "Make the brush smaller", lambda hand: hand.resize(-1)),
         ("stronger", "Stronger brush", "Shift+]", "Make the brush stronger", lambda hand: hand.strengthen(1)),
@@ -41,7 +41,7 @@ def brush_actions(toolbox: ToolBox) -> tuple[Action, ...]:
         Action(
             f"brush.{key}",
             title,
-            lambda _context, act=act: act(brush),  # type: ignore[misc]
+            lambda _context, act=act: act(toolbox.tool.brush),  # type: ignore[misc]
             menu=("Edit", "Brush"),
             group=4,
             shortcut=keys,
@@ -55,18 +55,17 @@ def brush_actions(toolbox: ToolBox) -> tuple[Action, ...]:
 
 
 def _mirror(toolbox: ToolBox) -> Action:
-    brush = toolbox.bench.brush
     return Action(
         "brush.mirror",
         "Mirror",
-        lambda _context: brush.change(mirror=not brush.state.mirror),
+        lambda _context: toolbox.tool.brush.change(mirror=not toolbox.tool.brush.state.mirror),
         menu=("Edit", "Brush"),
         group=5,
         shortcut="X",
-        hint="Paint both sides of the face alike",
+        hint="Paint or sculpt both sides of the face alike",
         kind="toggle",
-        enabled=lambda context: context.view.state.workspace == "tissue",
-        checked=lambda _context: brush.state.mirror,
+        enabled=lambda context: context.view.state.workspace == "tissue" or toolbox.tool.id == "sculpt",
+        checked=lambda _context: toolbox.tool.brush.state.mirror,
     )
 
 

@@ -6,8 +6,10 @@ from app.tools.brush import BrushTool
 from app.tools.fibre import FibreTool
 from app.tools.fill import FillTool
 from app.tools.lasso import LassoTool
+from app.tools.sculpt import SculptTool
 from app.tools.select import SelectTool
 from app.tools.tool import Tool
+from facemodel.sculpting.sampler import correction_sampler
 from ui.panels.actions.panel import ActionsPanel
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.muscles.panel import MusclesPanel
@@ -19,7 +21,9 @@ from ui.viewport.overlays.glyphs import Glyphs
 from ui.viewport.overlays.handles import MuscleHandles
 from ui.viewport.overlays.lasso import LassoOutline, RegionOutlines
 from ui.viewport.overlays.layer import LayerDrawing
+from ui.viewport.overlays.sculpt_sight import SculptInSight
 from ui.viewport.overlays.skull_sight import SkullInSight
+from ui.viewport.overlays.unit_maps import UnitMaps
 from ui.workspaces.workspace import Parts, WorkspaceKind
 
 
@@ -28,7 +32,7 @@ def _expression_panel(parts: Parts) -> ExpressionPanel:
 
 
 def _actions_panel(parts: Parts) -> ActionsPanel:
-    panel = ActionsPanel(parts.context)
+    panel = ActionsPanel(parts.context, parts.toolbox, parts.check)
     panel.muscles_hovered.connect(parts.viewport.glow)
     return panel
 
@@ -54,6 +58,16 @@ def _prepare_solver(parts: Parts) -> None:
     document.solution_changed.connect(once)
 
 
+def _prepare_sculpting(parts: Parts) -> None:
+    """Besides, ways from the skin's vertices to what is drawn, so that the first stroke follows the hand at once."""
+    _prepare_painting(parts)
+    document = parts.context.document
+    solution = document.solution
+    if solution is not None:
+        face, display = document.project.face, solution.basis.display
+        parts.preparation.begin(lambda: correction_sampler(face, display))
+
+
 def _skull_panel(parts: Parts) -> SkullPanel:
     return SkullPanel(parts.context, parts.toolbox)
 
@@ -71,7 +85,13 @@ def _prepare_painting(parts: Parts) -> None:
 
 WORKSPACES: tuple[WorkspaceKind, ...] = (
     WorkspaceKind("expression", _expression_panel, (SelectTool,)),
-    WorkspaceKind("actions", _actions_panel, (SelectTool,), prepare=_prepare_solver),
+    WorkspaceKind(
+        "actions",
+        _actions_panel,
+        (SelectTool, SculptTool),
+        (UnitMaps, SculptInSight, BrushRing),
+        _prepare_sculpting,
+    ),
     WorkspaceKind(
         "muscles",
         _muscles_panel,

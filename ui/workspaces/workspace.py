@@ -9,6 +9,7 @@ from typing import Protocol
 from PySide6.QtWidgets import QWidget
 
 from app.actions.context import Context
+from app.superposition_check import SuperpositionCheck
 from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 from app.view_state import WORKSPACE_TITLES, Workspace
@@ -26,6 +27,7 @@ class Parts:
     bench : the brush, regions, and what tools have drawn
     toolbox : the tools; one of them is in hand
     viewport : where the face is
+    check : the superposition check of what is seen
     preparation : does what takes a while away from the window's thread
     """
 
@@ -33,6 +35,7 @@ class Parts:
     bench: Bench
     toolbox: ToolBox
     viewport: Viewport
+    check: SuperpositionCheck
     preparation: Preparation
 
 

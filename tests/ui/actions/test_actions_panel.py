@@ -13,12 +13,8 @@ from ui.panels.expression_panel import ExpressionPanel
 
 
 @pytest.fixture
-def panel(shown, context) -> ActionsPanel:
-    context.view.change(workspace="actions", unit=12)
-    context.solving.solve()
-    panel = ActionsPanel(context)
-    panel.resize(360, 800)
-    return shown(panel)
+def panel(make_panel) -> ActionsPanel:
+    return make_panel()
 
 
 def unit(context, number: int):
@@ -66,7 +62,7 @@ def test_fitting_moves_the_skin_as_far_as_the_unit_is_meant_to(panel, context):
 
 def test_the_jaw_is_a_number_of_degrees(panel, context):
     context.view.change(unit=26)
-    bar = panel.editor.opening
+    bar = panel.editor.jaw.opening
     QTest.mouseDClick(bar, Qt.MouseButton.LeftButton)
     line = bar.findChild(QLineEdit)
     line.selectAll()
@@ -138,7 +134,7 @@ def test_the_check_finds_muscles_to_add_up_and_the_jaw_not(panel, context, qtbot
 
 def test_a_unit_of_another_name_is_listed_so_where_the_sliders_are(panel, shown, context):
     sliders = shown(ExpressionPanel(context.document, context.view))
-    panel.editor.name.selectAll()
-    QTest.keyClicks(panel.editor.name, "smirk")
-    QTest.keyClick(panel.editor.name, Qt.Key.Key_Return)
+    panel.editor.head.name.selectAll()
+    QTest.keyClicks(panel.editor.head.name, "smirk")
+    QTest.keyClick(panel.editor.head.name, Qt.Key.Key_Return)
     assert sliders.rows[12].slider.label == "Smirk"

@@ -14,12 +14,8 @@ from ui.panels.actions.unit_list import NUMBER
 
 
 @pytest.fixture
-def panel(shown, context) -> ActionsPanel:
-    context.view.change(workspace="actions", unit=12)
-    context.solving.solve()
-    panel = ActionsPanel(context)
-    panel.resize(380, 1100)
-    return shown(panel)
+def panel(make_panel) -> ActionsPanel:
+    return make_panel(380, 1300)
 
 
 def unit(context, number: int):

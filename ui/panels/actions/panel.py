@@ -16,8 +16,15 @@ from PySide6.QtWidgets import (
 
 from app.actions.action import Action, perform
 from app.actions.context import Context, state_signals
+from app.solo import SCULPT
+from app.superposition_check import SuperpositionCheck
+from app.tools.tool import Tool
+from app.tools.toolbox import ToolBox
 from facemodel.actions import ActionUnit
 from ui.panels.actions.expression_list import ExpressionList
+from ui.panels.actions.sculpt_brush import SculptBrushBox
+from ui.panels.actions.sculpt_deeds import SCULPT_ACTIONS
+from ui.panels.actions.sculpt_layer import SculptLayerBox
 from ui.panels.actions.superposition_box import SuperpositionBox
 from ui.panels.actions.tool_button import tool_button
 from ui.panels.actions.unit_deeds import UNIT_ACTIONS, place
@@ -30,9 +37,13 @@ WIDTH = 43 * GRID
 HEIGHTS = 330, 420
 """Pixels for list and numbers at first, of a window of the usual size."""
 
+UNITS, EXPRESSIONS = 0, 1
+"""Places of the tabs."""
+
 GLYPHS = {
     "unit.duplicate": "content-duplicate",
     "unit.split": "arrow-split-vertical",
+    "unit.mirror": "flip-horizontal",
     "unit.merge": "merge",
     "unit.solo": "account-eye-outline",
     "unit.fill": "table-arrow-down",
@@ -50,22 +61,24 @@ class ActionsPanel(QWidget):
 
     muscles_hovered = Signal(object)
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context, toolbox: ToolBox, check: SuperpositionCheck) -> None:
         super().__init__()
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setMinimumWidth(WIDTH)
-        self._context = context
-        self._actions = {action.id: action for action in UNIT_ACTIONS}
+        self._context, self._toolbox = context, toolbox
+        self._actions = {action.id: action for action in (*UNIT_ACTIONS, *SCULPT_ACTIONS)}
         self.search = QLineEdit()
         self.search.setPlaceholderText("Search action units")
         self.search.setAccessibleName("Search action units")
         self.search.setClearButtonEnabled(True)
         self.search.addAction(icon("magnify"), QLineEdit.ActionPosition.LeadingPosition)
         self.units = UnitList(context.document, context.view)
-        self.editor = UnitEditor(context)
+        self.brush = SculptBrushBox(toolbox)
+        self.layer = SculptLayerBox(context)
+        self.editor = UnitEditor(context, (self.brush, self.layer))
         self.expressions = ExpressionList(context)
-        self.check = SuperpositionBox(context)
+        self.check = SuperpositionBox(context, check)
         self.new = self._deed(self._actions["unit.new"], "plus")
         self.buttons = {key: self._deed(self._actions[key], glyph) for key, glyph in GLYPHS.items()}
         self.tabs = QTabWidget()
@@ -85,11 +98,27 @@ class ActionsPanel(QWidget):
         self.units.hovered.connect(self._point_at)
         self.editor.hovered.connect(self.muscles_hovered)
         self.units.deleted.connect(lambda: perform(self._actions["unit.delete"], self._context))
-        self.units.renamed.connect(self.editor.focus_name)
+        self.units.renamed.connect(self.editor.head.focus_name)
         self.units.stepped.connect(self._step)
         self.units.dropped.connect(lambda number, where: place(self._context, number, *where))
+        self.tabs.currentChanged.connect(self._turn_to)
+        self._toolbox.tool_changed.connect(self._follow_tool)
         for signal in state_signals(self._context):
             signal.connect(self.refresh)
+
+    def _turn_to(self, tab: int) -> None:
+        """Work on expressions is done without the brush that sculpts one unit."""
+        mixing = tab == EXPRESSIONS
+        self._context.view.change(mixing=mixing)
+        if mixing and self._toolbox.tool.id == SCULPT:
+            self._toolbox.take("select")
+
+    def _follow_tool(self, tool: Tool) -> None:
+        """Show what the brush works on."""
+        if tool.id == SCULPT:
+            self.tabs.setCurrentIndex(UNITS)
+            self._area.ensureWidgetVisible(self.layer, 0, GRID)
+            self._area.ensureWidgetVisible(self.brush, 0, GRID)
 
     def _step(self, by: int) -> None:
         """List the unit in hand further up or down."""
@@ -110,7 +139,8 @@ class ActionsPanel(QWidget):
         parts = QSplitter(Qt.Orientation.Vertical)
         parts.setChildrenCollapsible(False)
         parts.addWidget(self._upper())
-        parts.addWidget(_scrolled(self._numbers()))
+        self._area = _scrolled(self.editor)
+        parts.addWidget(self._area)
         parts.setStretchFactor(0, 1)
         parts.setSizes(list(HEIGHTS))
         expressions = QWidget()
@@ -126,17 +156,6 @@ class ActionsPanel(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.tabs)
-
-    def _numbers(self) -> QWidget:
-        """What belongs to the unit in hand, one section under the other."""
-        column = QWidget()
-        sections = QVBoxLayout(column)
-        sections.setContentsMargins(0, 0, 0, 0)
-        sections.setSpacing(0)
-        for section in (self.editor,):
-            sections.addWidget(section)
-        sections.addStretch(1)
-        return column
 
     def _upper(self) -> QWidget:
         head = QHBoxLayout()

@@ -1,84 +1,99 @@
-"""The superposition check: a button, and how far the sum of the fields is from the summed loads solved in full."""
+"""The superposition check: a button, its progress, and how far the sum of the fields is from the summed loads."""
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from app.actions.context import Context
-from app.jobs import Failure
-from app.superposition_check import Posed, SuperpositionJob, check_superposition, posed
+from app.superposition_check import SuperpositionCheck
+from app.view_state import ViewState
 from facemodel.comparison import Comparison
 from facemodel.errors import RisoriusError
 from ui.theme.metrics import GRID
-from ui.window.delivery import UiThread
 
 NOTHING = 1e-3
 """Millimetres; what is nearer than a thousandth is rounding."""
 
+STEPS = 1000
+
 
 class SuperpositionBox(QWidget):
-    """Checks the expression that is shown, away from the window's thread."""
+    """Binds the check to a button that begins or cancels it, and tells what it finds."""
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context, check: SuperpositionCheck) -> None:
         super().__init__()
-        self._context = context
-        self._thread = UiThread(self)
-        self.job: SuperpositionJob = SuperpositionJob(check_superposition, self._thread.deliver)
+        self._context, self._check = context, check
         self.button = QPushButton("Check superposition")
-        self.button.setToolTip("Solve the summed loads of this expression in full, and compare")
+        self.button.setToolTip("Solve the summed loads of what is seen in full, and compare")
+        self.draw = QCheckBox("Draw it")
+        self.draw.setToolTip("Colour the skin by how far both ways are apart")
+        self.bar = QProgressBar()
+        self.bar.setRange(0, STEPS)
+        self.bar.setTextVisible(False)
+        self.bar.setFixedHeight(GRID // 2)
+        self.bar.setAccessibleName("Progress of the check")
         self.result = QLabel("")
         self.result.setProperty("role", "muted")
         self.result.setWordWrap(True)
+        self.result.setAlignment(Qt.AlignmentFlag.AlignTop)
         line = QHBoxLayout()
         line.addWidget(self.button)
         line.addStretch(1)
+        line.addWidget(self.draw)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(GRID, 0, GRID, GRID)
         layout.setSpacing(GRID // 2)
         layout.addLayout(line)
+        layout.addWidget(self.bar)
         layout.addWidget(self.result)
-        self.button.clicked.connect(self.check)
-        self.job.progress.connect(self._tell)
-        self.job.finished.connect(self._show)
-        self.job.failed.connect(self._show_failure)
-        document = context.document
-        for other in (document.expression_changed, document.solution_changed, document.project_changed):
-            other.connect(self._forget)
+        self.button.clicked.connect(self.press)
+        self.draw.toggled.connect(lambda on: context.view.change(apart_map=on))
+        context.view.changed.connect(self._show_view)
+        check.changed.connect(self.refresh)
+        self._show_view(context.view.state)
+        self.refresh()
 
-    def check(self) -> None:
-        """Begin to check what is shown."""
+    def press(self) -> None:
+        """Begin to check what is seen, or stop."""
+        if self._check.running:
+            self._check.cancel()
+            return
         try:
-            asked = posed(self._context.document)
+            self._check.begin()
         except RisoriusError as error:
-            self.result.setText(str(error))
-            return
-        if not any(asked.expression.values()):
-            self.result.setText("The face is at rest; move some sliders first.")
-            return
-        self.button.setEnabled(False)
-        self.job.request(asked)
+            self._say(str(error))
 
-    def _tell(self, text: str, _share: float) -> None:
-        self.result.setText(f"{text} …")
-
-    def _show(self, found: Comparison, _asked: Posed) -> None:
-        self.button.setEnabled(True)
-        if found.largest < NOTHING:
-            said = f"The sum is exact: less than a thousandth of a millimetre apart, of {found.moved:.1f} mm moved."
+    def refresh(self) -> None:
+        """Show how far the check is, or what it found."""
+        running, (step, share) = self._check.running, self._check.step
+        self.button.setText("Cancel" if running else "Check superposition")
+        self.bar.setVisible(running)
+        self.bar.setValue(round(STEPS * share))
+        found = self._check.found
+        if running:
+            self._say(f"{step} …")
+        elif found is not None:
+            self._say(told(found))
         else:
-            said = (
-                f"At most {found.largest:.2f} mm apart, {found.rms:.3f} mm rms, of {found.moved:.1f} mm moved. "
-                "Jaw arcs and lids on the eye are not linear."
-            )
-        self.result.setText(said)
+            self._say(self._check.failure)
+        self.draw.setVisible(found is not None and found.largest >= NOTHING)
 
-    def _show_failure(self, failure: Failure) -> None:
-        self.button.setEnabled(True)
-        self.result.setText(failure.sentence)
+    def _say(self, text: str) -> None:
+        self.result.setText(text)
+        self.result.setVisible(bool(text))
 
-    def _forget(self, *_what: object) -> None:
-        """What was found belongs to another expression."""
-        if self.job.running:
-            self.job.cancel()
-        self.button.setEnabled(True)
-        self.result.setText("")
+    def _show_view(self, now: ViewState, _before: ViewState | None = None) -> None:
+        self.draw.blockSignals(True)
+        self.draw.setChecked(now.apart_map)
+        self.draw.blockSignals(False)
+
+
+def told(found: Comparison) -> str:
+    """What a check found, in words."""
+    if found.largest < NOTHING:
+        return f"The sum is exact: less than a thousandth of a millimetre apart, of {found.moved:.1f} mm moved."
+    return (
+        f"At most {found.largest:.2f} mm apart, {found.rms:.3f} mm rms, of {found.moved:.1f} mm moved. "
+        "Arcs of the jaw and lids on the eye are not linear."
+    )

@@ -207,6 +207,7 @@ UNIT_ACTIONS = (
         lambda context: context.view.toggle("solo"),
         menu=MENU,
         group=1,
+        shortcut="/",
         hint="Show this unit at 1 and nothing else; the sliders stay as they are",
         kind="toggle",
         enabled=_any,

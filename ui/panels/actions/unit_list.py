@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QTreeWidgetItem,
 )
 
+from app.authoring.sculpting import sculpted_units
 from app.document import Document
 from app.view import View
 from app.view_state import ViewState
@@ -24,6 +25,7 @@ from ui.theme.apply import current_theme, interface_font
 from ui.theme.colour import blend
 from ui.theme.metrics import GRID, ROW, SMALL_TYPE
 from ui.widgets.row_drag import Drop, RowDrag
+from ui.widgets.sculpted_mark import paint_sculpted
 
 NUMBER = Qt.ItemDataRole.UserRole + 1
 EMPTY = Qt.ItemDataRole.UserRole + 2
@@ -31,6 +33,12 @@ EMPTY = Qt.ItemDataRole.UserRole + 2
 
 GROUP = Qt.ItemDataRole.UserRole + 3
 """Which group a heading is of."""
+
+WEIGHT = Qt.ItemDataRole.UserRole + 4
+"""What the sliders of a unit say, as it is written; empty at zero."""
+
+SCULPTED = Qt.ItemDataRole.UserRole + 5
+"""Whether somebody has sculpted a unit."""
 
 NUMBER_WIDTH = 4 * GRID
 STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
@@ -40,7 +48,7 @@ SELECTED, HOVERED = QStyle.StateFlag.State_Selected, QStyle.StateFlag.State_Mous
 
 
 class UnitCells(QStyledItemDelegate):
-    """Draws a heading, or number and name; a unit that moves nothing recedes."""
+    """Draws a heading, or number, name and weight; a unit that moves nothing recedes."""
 
     def sizeHint(self, _option: QStyleOptionViewItem, _index: Cell) -> QSize:
         """One row of any width."""
@@ -48,29 +56,40 @@ class UnitCells(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Cell) -> None:
         """Draw one row."""
-        theme, area, number = current_theme(), QRectF(option.rect), index.data(NUMBER)
-        words = index.data(Qt.ItemDataRole.DisplayRole)
+        theme, area = current_theme(), QRectF(option.rect)
         painter.save()
-        centre = Qt.AlignmentFlag.AlignVCenter
-        if number is None:
+        if index.data(NUMBER) is None:
+            words = index.data(Qt.ItemDataRole.DisplayRole)
             painter.setFont(interface_font(SMALL_TYPE))
             painter.setPen(QColor(theme.muted))
-            painter.drawText(area.adjusted(GRID, 0, -GRID, 0), centre | Qt.AlignmentFlag.AlignLeft, words.upper())
+            painter.drawText(area.adjusted(GRID, 0, -GRID, 0), CENTRE | LEFT, words.upper())
         else:
             if option.state & SELECTED:
                 painter.fillRect(area, blend(theme.window, theme.accent, 0.32))
             elif option.state & HOVERED:
                 painter.fillRect(area, QColor(theme.hover))
-            painter.setPen(QColor(theme.muted))
-            painter.drawText(QRectF(area.x(), area.y(), NUMBER_WIDTH, area.height()), centre | RIGHT, str(number))
-            painter.setPen(QColor(theme.muted if index.data(EMPTY) else theme.text))
-            room = area.adjusted(NUMBER_WIDTH + GRID, 0, -GRID, 0)
-            name = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))
-            painter.drawText(room, centre | Qt.AlignmentFlag.AlignLeft, name)
+            if index.data(SCULPTED):
+                paint_sculpted(painter, area)
+            self._paint_unit(painter, area, index)
         painter.restore()
 
+    def _paint_unit(self, painter: QPainter, area: QRectF, index: Cell) -> None:
+        theme = current_theme()
+        words, weight = index.data(Qt.ItemDataRole.DisplayRole), index.data(WEIGHT) or ""
+        painter.setPen(QColor(theme.muted))
+        painter.drawText(
+            QRectF(area.x(), area.y(), NUMBER_WIDTH, area.height()), CENTRE | RIGHT, str(index.data(NUMBER))
+        )
+        room = area.adjusted(NUMBER_WIDTH + GRID, 0, -GRID, 0)
+        painter.setPen(QColor(theme.text))
+        painter.drawText(room, CENTRE | RIGHT, weight)
+        painter.setPen(QColor(theme.muted if index.data(EMPTY) else theme.text))
+        width = room.width() - painter.fontMetrics().horizontalAdvance(weight) - (GRID if weight else 0)
+        name = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(width))
+        painter.drawText(room, CENTRE | LEFT, name)
 
-RIGHT = Qt.AlignmentFlag.AlignRight
+
+CENTRE, LEFT, RIGHT = (Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight)
 
 
 class UnitList(RowDrag, QTreeWidget):
@@ -110,6 +129,8 @@ class UnitList(RowDrag, QTreeWidget):
         self.itemEntered.connect(lambda item, _column: self.hovered.emit(self._unit(item.data(0, NUMBER))))
         document.project_changed.connect(lambda _project: self.show_units())
         document.units_changed.connect(lambda _numbers: self.show_units())
+        document.corrections_changed.connect(lambda _fields: self._show_state())
+        document.expression_changed.connect(lambda _now: self._show_state())
         view.changed.connect(self._follow)
 
     def show_units(self) -> None:
@@ -119,11 +140,23 @@ class UnitList(RowDrag, QTreeWidget):
         if listed != self._listed:
             self._listed = listed
             self._fill()
-        rows = {item.data(0, NUMBER): item for item in self._rows()}
-        for unit in units:
-            rows[unit.number].setData(0, EMPTY, not unit.muscles and unit.jaw is None)
+        self._show_state()
         self.filter(self._query)
         self._mark(self._view.state.unit)
+
+    def _show_state(self) -> None:
+        """Show what units weigh, and which of them move nothing or are sculpted."""
+        shown, sculpted = self._document.shown, sculpted_units(self._document.project)
+        units = {unit.number: unit for unit in self._document.project.units}
+        self.blockSignals(True)
+        for row in self._rows():
+            unit = units.get(row.data(0, NUMBER))
+            if unit is not None:
+                row.setData(0, EMPTY, not unit.muscles and not unit.jaw and unit.number not in sculpted)
+                row.setData(0, SCULPTED, unit.number in sculpted)
+                row.setData(0, WEIGHT, _written([shown.get(field, 0.0) for field in unit.fields]))
+        self.blockSignals(False)
+        self.viewport().update()
 
     def filter(self, query: str) -> None:
         """Show the units that a search means, by number, name or muscle."""
@@ -223,3 +256,10 @@ class UnitList(RowDrag, QTreeWidget):
             self.scrollToItem(row)
         self.blockSignals(False)
         self.viewport().update()
+
+
+def _written(weights: list[float]) -> str:
+    """Weights of one side or two as few figures; nothing where all are zero."""
+    if not any(weights):
+        return ""
+    return f"{weights[0]:.2f}" if len(set(weights)) == 1 else " · ".join(f"{weight:.2f}" for weight in weights)

@@ -40,8 +40,14 @@ class Choices(QWidget):
         self._buttons = {key: self._made(key, title) for key, title in titles.items()}
 
     def press(self, key: str) -> None:
-        """Show that one is chosen; emits nothing."""
-        self._buttons[key].setChecked(True)
+        """Show that one is chosen, or none with an empty key; emits nothing."""
+        if key:
+            self._buttons[key].setChecked(True)
+            return
+        self._group.setExclusive(False)
+        for button in self._buttons.values():
+            button.setChecked(False)
+        self._group.setExclusive(True)
 
     def button(self, key: str) -> QToolButton:
         """The button of one."""

@@ -1,4 +1,4 @@
-"""The force field of the expression in hand: thin arrows on the skin, as long on the screen at every zoom."""
+"""The force field of the expression in hand, or of the action unit that is worked on: thin arrows on the skin."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ class ForcesOverlay(Overlay):
         self.add(self._arrows.actor)
 
     def follow(self, drawn: Drawn) -> None:
-        """Draw the forces of the expression on the posed skin."""
-        force = self._forces.of(drawn.expression)
+        """Draw the forces on the posed skin."""
+        force = self._forces.of(drawn.pulling)
         size = np.linalg.norm(force, axis=1)
         chosen = np.flatnonzero(size > WEAKEST * float(size.max(initial=0.0)))
         posed = drawn.figure.posed

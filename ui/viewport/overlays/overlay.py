@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
 
-from facemodel.actions import Expression
+from facemodel.actions import ActionUnit, Expression
 from facemodel.project import Project
 from ui.viewport.figure import Figure
 
@@ -20,6 +20,7 @@ class Drawn:
     project : whose face it is
     figure : the face as it is drawn
     expression : the weights it is posed with
+    unit : the action unit that is worked on; none where whole expressions are
     muscle : key of the selected muscle; empty for none
     others : keys of those that are selected with it
     glowing : keys of the muscles under the pointer
@@ -30,11 +31,17 @@ class Drawn:
     project: Project
     figure: Figure
     expression: Expression
+    unit: ActionUnit | None = None
     muscle: str = ""
     others: frozenset[str] = frozenset()
     glowing: frozenset[str] = frozenset()
     hidden: frozenset[str] = frozenset()
     half_height: float = 150.0
+
+    @property
+    def pulling(self) -> Expression:
+        """The weights whose forces are shown: of the unit that is worked on all, else those it is posed with."""
+        return self.expression if self.unit is None else dict.fromkeys(self.unit.fields, 1.0)
 
 
 class Overlay:
