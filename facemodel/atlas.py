@@ -12,8 +12,9 @@ from facemodel.actions import ActionUnit
 from facemodel.errors import ProjectError
 from facemodel.io.disk import replacing
 from facemodel.io.readable import readable
+from facemodel.io.record_types import Name, Record, Weight
 from facemodel.io.records import muscle_json, muscle_of
-from facemodel.io.schema import MuscleRecord, Name, Record, Weight
+from facemodel.io.schema import MuscleRecord
 from facemodel.muscles import Muscle
 
 

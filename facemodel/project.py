@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from facemodel.actions import ActionUnit, Emotion, Expression
+from facemodel.animation.clip import STILL, Animation
 from facemodel.face import Face
 from facemodel.muscles import Muscle
 from facemodel.sculpting.correction import Corrections
@@ -35,6 +36,7 @@ class Project:
     expression : the sliders
     settings : how it is solved and drawn
     corrections : by field name, what a hand has sculpted on top of the solved field
+    animation : what happens over time
     """
 
     face: Face
@@ -44,6 +46,7 @@ class Project:
     expression: Expression = field(default_factory=dict)
     settings: Settings = field(default_factory=Settings)
     corrections: Corrections = field(default_factory=dict)
+    animation: Animation = STILL
 
     def posed(self, expression: Expression) -> Project:
         """The same project with another expression in hand."""

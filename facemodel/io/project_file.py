@@ -9,6 +9,7 @@ import numpy as np
 
 from facemodel.actions import field_names, resolve
 from facemodel.errors import UnknownNameError
+from facemodel.io.animation import animation_arrays, animation_json, animation_of, without_animation
 from facemodel.io.archive import LARGEST_ARCHIVE, Archive, pack, unpack
 from facemodel.io.corrections import correction_arrays, corrections_json, corrections_of, without_corrections
 from facemodel.io.damage import TAKE_BACK, DamageError, naming
@@ -82,7 +83,14 @@ def project_bytes(project: Project) -> bytes:
     }
     if project.corrections:
         document["corrections"] = corrections_json(project.corrections)
-    arrays = {**face_arrays(project.face), **correction_arrays(project.corrections)}
+    animation = animation_json(project.animation)
+    if animation is not None:
+        document["animation"] = animation
+    arrays = {
+        **face_arrays(project.face),
+        **correction_arrays(project.corrections),
+        **animation_arrays(project.animation),
+    }
     return pack(Archive(document, arrays), PROJECT_MEMBER)
 
 
@@ -97,7 +105,7 @@ def project_of(data: bytes) -> Project:
     archive = unpack(data, PROJECT_MEMBER)
     document = parse(archive.document, ProjectDocument, PROJECT_FORMAT, PROJECT_MEMBER)
     _check_references(document)
-    face = face_of(document.face, without_corrections(archive.arrays), PROJECT_MEMBER)
+    face = face_of(document.face, without_animation(without_corrections(archive.arrays)), PROJECT_MEMBER)
     return Project(
         face=face,
         muscles=tuple(muscle_of(record) for record in document.muscles),
@@ -106,6 +114,7 @@ def project_of(data: bytes) -> Project:
         expression=dict(document.expression),
         settings=settings_of(document.settings),
         corrections=corrections_of(document.corrections, archive.arrays, len(face.skin.positions)),
+        animation=animation_of(document.animation, archive.arrays),
     )
 
 

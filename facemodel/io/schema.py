@@ -11,10 +11,26 @@ from collections.abc import Callable, Mapping
 from itertools import pairwise
 from typing import Annotated, Any, Final, Literal, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import Field, ValidationError, model_validator
 
 from facemodel.actions import EXAGGERATED, LETTERS
+from facemodel.io.animation_schema import AnimationRecord
 from facemodel.io.damage import DamageError
+from facemodel.io.record_types import (
+    Colour,
+    Index,
+    Inside,
+    Key,
+    Length,
+    Limit,
+    Name,
+    Point,
+    Positive,
+    Record,
+    Share,
+    Text,
+    Weight,
+)
 from facemodel.muscles.muscle import Model
 
 PROJECT_FORMAT: Final = "risorius"
@@ -26,33 +42,11 @@ Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
 UPGRADES: Mapping[int, Upgrade] = {}
 """For each older version the function that turns its document into the next one's; version 1 is the first."""
 
-LARGEST_WEIGHT = 100.0
-"""Weights beyond this leave the range in which a face of float32 millimetres means anything."""
-
 SMALLEST_EYE, LARGEST_EYE = 8.0, 50.0
 """Millimetres; a newborn's eyeball has a radius of 8, and a smaller one could not carry its cornea."""
 
 MOST_VIA, MOST_KNOTS = 100, 100
 """More points than this on one fibre or profile are no work of a hand."""
-
-Name = Annotated[str, Field(min_length=1, max_length=100)]
-Key = Annotated[str, Field(pattern=r"^[\w-]{1,100}$")]
-Colour = Annotated[str, Field(pattern=r"^(#[0-9a-f]{6})?$")]
-Text = Annotated[str, Field(max_length=20_000)]
-Length = Annotated[float, Field(ge=-1e5, le=1e5)]
-Positive = Annotated[float, Field(gt=0, le=1e5)]
-Share = Annotated[float, Field(ge=-1, le=1)]
-Weight = Annotated[float, Field(ge=-LARGEST_WEIGHT, le=LARGEST_WEIGHT)]
-Limit = Annotated[float, Field(gt=0, le=EXAGGERATED)]
-Inside = Annotated[float, Field(ge=0, le=1)]
-Index = Annotated[int, Field(ge=0, lt=1 << 31)]
-Point = tuple[Length, Length, Length]
-
-
-class Record(BaseModel):
-    """A part of a document."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
 
 class EyeRecord(Record):
@@ -242,6 +236,7 @@ class ProjectDocument(Record):
     expression: dict[Name, Weight]
     settings: SettingsRecord
     corrections: tuple[CorrectionRecord, ...] = ()
+    animation: AnimationRecord | None = None
 
 
 Document = TypeVar("Document", bound=Record)

@@ -13,8 +13,9 @@ from facemodel.errors import MuscleError
 from facemodel.face import Face
 from facemodel.io.damage import RESTORE, DamageError
 from facemodel.io.readable import readable
+from facemodel.io.record_types import Name, Point, Record
 from facemodel.io.records import muscle_json, muscle_of, point_json
-from facemodel.io.schema import SCHEMA, MuscleRecord, Name, Point, Record, parse
+from facemodel.io.schema import SCHEMA, MuscleRecord, parse
 from facemodel.laying.checks import shape_complaints
 from facemodel.laying.fitting import fitted
 from facemodel.laying.warp import control_points, landmark_warp
