@@ -10,8 +10,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import TypeVar
 
+from app.commands.animation import PARTS, event_name, track_name
 from app.commands.content import emotion_name, muscle_name, unit_name
 from app.commands.painting import ARRAY_NAMES, ON_SKULL, ArrayName, changed_rows, layer_array
+from facemodel.animation.clip import Animation
 from facemodel.face import Face
 from facemodel.project import Project
 from facemodel.sameness import same
@@ -35,6 +37,8 @@ class Changes:
     skull : whether the bones or the hinge of the jaw are others
     muscles, units, emotions : keys, numbers and names of those that changed, came, went or stand elsewhere
     corrections : fields whose correction changed, came or went
+    animation : channels whose track changed, came, went or stands elsewhere, and names of the other members of the
+        animation that are others
     """
 
     whole: bool = False
@@ -44,9 +48,10 @@ class Changes:
     units: frozenset[int] = frozenset()
     emotions: frozenset[str] = frozenset()
     corrections: frozenset[str] = frozenset()
+    animation: frozenset[str] = frozenset()
 
     def __bool__(self) -> bool:
-        content = self.muscles or self.units or self.emotions or self.corrections
+        content = self.muscles or self.units or self.emotions or self.corrections or self.animation
         return bool(self.whole or self.layers or self.skull or content)
 
 
@@ -61,6 +66,7 @@ def changes(before: Project, after: Project) -> Changes:
         units=frozenset(map(int, _moved(before.units, after.units, unit_name))),
         emotions=_moved(before.emotions, after.emotions, emotion_name),
         corrections=_sculpted(before.corrections, after.corrections),
+        animation=_animated(before.animation, after.animation),
     )
 
 
@@ -95,6 +101,15 @@ def _sculpted(before: Corrections, after: Corrections) -> frozenset[str]:
     if before is after:
         return frozenset()
     return frozenset(name for name in {**before, **after} if not same(before.get(name), after.get(name)))
+
+
+def _animated(before: Animation, after: Animation) -> frozenset[str]:
+    if before is after:
+        return frozenset()
+    parts = {name for name in PARTS if not same(getattr(before, name), getattr(after, name))}
+    if _moved(before.events, after.events, event_name):
+        parts.add("events")
+    return _moved(before.tracks, after.tracks, track_name) | parts
 
 
 def _moved(before: Sequence[Item], after: Sequence[Item], name_of: Callable[[Item], str]) -> frozenset[str]:

@@ -3,35 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from app.authoring.bare import bare_project
 from app.commands import Command, ReplaceProject, set_weights
 from app.commands.edit import edit
-from app.differences import Changes, changes, same_content
+from app.differences import Changes, changes
+from app.document_state import DocumentState
 from app.history import History
-from app.signals import DocumentSignals
-from app.solved import Solutions, Solved
+from app.solved import Solved
 from app.weights import checked_weights, emotion_weights, in_order, whole_expression, with_weights
-from facemodel.actions import Expression
 from facemodel.errors import ProjectError
 from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
 from facemodel.projects import new_project
 from facemodel.solve import Solution
-from fem.types import Float32Array
 
 
-class Document(DocumentSignals):
+class Document(DocumentState):
     """A project in hand.  Everything that changes it goes through here; everyone who shows it listens.
 
     Intents belong to one thread.  Weights that are held (`preview`) when another intent comes are committed first:
     nothing seen is lost.
-
-    Parameters
-    ----------
-    project : what to start with
-    path : the file it came from, if any
 
     Raises
     ------
@@ -39,98 +33,25 @@ class Document(DocumentSignals):
         By any intent that is given what cannot be done; the document is then as it was before.
     """
 
-    def __init__(self, project: Project, path: Path | None = None) -> None:
-        self._project: Project = in_order(project)
-        self._saved: Project | None = self._project
-        self._path = path
-        self._history = History()
-        self._held: dict[str, float] = {}
-        self._shown: Expression = project.expression
-        self._solutions = Solutions(self._project)
-
-    @property
-    def project(self) -> Project:
-        """What would be saved."""
-        return self._project
-
-    @property
-    def path(self) -> Path | None:
-        """The file it was read from or last written to."""
-        return self._path
-
-    @property
-    def name(self) -> str:
-        """What people call it: its file's name, or that it has none yet."""
-        return self._path.stem if self._path else f"Untitled ({self._project.face.title})"
-
-    @property
-    def history(self) -> History:
-        """Steps that can be undone and redone; to be read."""
-        return self._history
-
-    @property
-    def dirty(self) -> bool:
-        """Whether it differs from what was last saved, read or begun."""
-        if self._history.at_saved:
-            return False
-        return self._saved is None or not same_content(self._project, self._saved)
-
-    @property
-    def shown(self) -> Expression:
-        """The expression to draw: with the weights that are held, else the project's own."""
-        return self._shown
-
-    @property
-    def held(self) -> bool:
-        """Whether weights are held that are not committed."""
-        return bool(self._held)
-
-    @property
-    def solution(self) -> Solution | None:
-        """The last solution for this head with what is sculpted on it, even if `stale`; the last good face stays."""
-        return self._solutions.shown
-
-    @property
-    def previous_solution(self) -> Solution | None:
-        """The solution for this head before the last one, with the same corrections; none if there was only one."""
-        return self._solutions.before(self._project)
-
-    @property
-    def solved(self) -> Solution | None:
-        """The last solution as it was solved, without what is sculpted on it."""
-        return self._solutions.last.solution if self._solutions.last else None
-
-    @property
-    def stale(self) -> bool:
-        """Whether the project has to be solved: it never was, or what fields depend on changed since."""
-        return self._solutions.stale
-
-    @property
-    def stale_fields(self) -> frozenset[str]:
-        """Fields that the solution does not hold for; the others can be trusted as they are drawn."""
-        return self._solutions.stale_fields
-
-    def last_change_map(self) -> Float32Array | None:
-        """How far (P,) the last solve moved every drawn point of the skin under what is shown, millimetres.
-
-        None as long as there is nothing to compare.
-        """
-        return self._solutions.last_change(self._shown)
+    def play(self, weights: Mapping[str, float]) -> None:
+        """Show weights by field over those of the project, until the next call or until somebody sets them."""
+        self._played = dict(weights)
+        self._show()
 
     def preview(self, weights: Mapping[str, float]) -> None:
         """Show other weights without a step to undo; further calls add to those that are held."""
         self._held.update(checked_weights(weights, self._project))
-        self._show(with_weights(self._project.expression, self._held))
+        self._show()
 
     def commit(self, label: str = "") -> None:
         """Make the held weights one step to undo; nothing if there are none or they change nothing."""
         held, self._held = self._held, {}
-        self._do(set_weights(self._project, held, label))
+        self._weigh(held, label)
 
     def cancel_preview(self) -> None:
         """Let go of the held weights; what was committed last is shown again."""
         self._held = {}
-        self._show(self._project.expression)
+        self._show()
 
     def run(self, command: Command) -> None:
         """Do a command and remember it."""
@@ -187,19 +108,19 @@ class Document(DocumentSignals):
         """
         checked = checked_weights(weights, self._project)
         self.commit()
-        self._do(set_weights(self._project, checked, label, gesture))
+        self._weigh(checked, label, gesture)
 
     def set_expression(self, weights: Mapping[str, float], label: str) -> None:
         """Put an expression in the place of the one there is, in one step."""
         checked = checked_weights(weights, self._project)
         self.commit()
-        self._do(set_weights(self._project, whole_expression(checked, self._project), label))
+        self._weigh(whole_expression(checked, self._project), label)
 
     def apply_emotion(self, name: str, strength: float = 1.0) -> None:
         """Show an emotion and nothing else, in one step."""
         weights = emotion_weights(name, strength, self._project)
         self.commit()
-        self._do(set_weights(self._project, weights, f"{name.capitalize()} {strength:.0%}"))
+        self._weigh(weights, f"{name.capitalize()} {strength:.0%}")
 
     def reset_expression(self) -> None:
         """All weights to zero, in one step."""
@@ -210,7 +131,8 @@ class Document(DocumentSignals):
         other = new_project(face_key)
         self.commit()
         kept = {name: weight for name, weight in self._project.expression.items() if weight != 0}
-        self._do(ReplaceProject(other.face.title, self._project, other.posed(kept)))
+        kept_on = replace(other, expression=kept, animation=self._project.animation)
+        self._do(ReplaceProject(other.face.title, self._project, kept_on))
 
     def new(self, face_key: str) -> None:
         """Begin a project on one of the shipped faces; history and file are forgotten."""
@@ -250,9 +172,17 @@ class Document(DocumentSignals):
         if self._solutions.accept(Solved(solution, solved), self._project):
             self.solution_changed.emit(self.solution)
 
+    def _weigh(self, weights: Mapping[str, float], label: str, gesture: str = "") -> None:
+        """Give fields weights that a person set: to the sliders, or as keys where `keying` says so."""
+        self._played = {name: each for name, each in self._played.items() if name not in weights}
+        if self.keying is None or not weights:
+            self._do(set_weights(self._project, weights, label, gesture))
+        else:
+            self._do(edit(self._project, self.keying(self._project, weights), label or "Set keys", gesture))
+
     def _do(self, command: Command) -> None:
         if not command.changes:
-            self._show(self._project.expression)
+            self._show()
             return
         project = command.do(self._project)
         self._history.push(command)
@@ -261,7 +191,7 @@ class Document(DocumentSignals):
     def _begin(self, project: Project, path: Path | None, saved: bool = True) -> None:
         begun = in_order(project)
         self._history = History(saved=saved)
-        self._held = {}
+        self._held, self._played = {}, {}
         self._path, self._saved = path, begun if saved else None
         self._become(begun, Changes(whole=True))
 
@@ -272,7 +202,8 @@ class Document(DocumentSignals):
         found = known or changes(before, project)
         if found:
             self._solutions.follow(project)
-        expression_moved, self._shown = self._shown != project.expression, project.expression
+        shown = with_weights(project.expression, self._played)
+        expression_moved, self._shown = self._shown != shown, shown
         self.tell_changes(found, project)
         if self._solutions.standing != stood:
             self.solution_changed.emit(self.solution)
@@ -281,7 +212,8 @@ class Document(DocumentSignals):
         self.history_changed.emit()
         self.saved_changed.emit()
 
-    def _show(self, expression: Expression) -> None:
+    def _show(self) -> None:
+        expression = with_weights(self._project.expression, {**self._played, **self._held})
         if expression != self._shown:
             self._shown = expression
             self.expression_changed.emit(expression)

@@ -25,6 +25,9 @@ class DocumentSignals:
     """(frozenset of names) of emotions that changed, came, went or stand elsewhere in the list."""
     corrections_changed = Signal(object)
     """(frozenset of field names) whose correction, sculpted on top of what is solved, changed, came or went."""
+    animation_changed = Signal(object)
+    """(frozenset of channels and names) whose track changed, came, went or stands elsewhere, and of the other members
+    of `facemodel.animation.clip.Animation` that changed; together with `project_changed` all may be others."""
     expression_changed = Signal(object)
     """(Expression) what is to be shown now, `shown`."""
     solution_changed = Signal(object)
@@ -48,6 +51,7 @@ class DocumentSignals:
             (self.units_changed, found.units),
             (self.emotions_changed, found.emotions),
             (self.corrections_changed, found.corrections),
+            (self.animation_changed, found.animation),
         ):
             if which:
                 signal.emit(which)

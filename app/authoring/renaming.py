@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from facemodel.actions import ActionUnit, Emotion, resolve
+from facemodel.animation.respelling import respelled
 from facemodel.project import Project
 from facemodel.sculpting.correction import Correction, Corrections, joined
 
@@ -16,7 +17,8 @@ Renaming = Callable[[str], str | None]
 def refielded(project: Project, units: Mapping[int, ActionUnit | None], name_now: Renaming) -> Project:
     """A project with other units under some numbers, or none, and its weights under the names of their fields now.
 
-    What is sculpted on a field goes with it; where two become one, both lie on top of each other.
+    What is sculpted on a field goes with it, and so does what animates it; where two become one, what is sculpted on
+    both lies on top of each other, and the first one's track stays.
     """
     kept = tuple(units.get(each.number, each) for each in project.units)
     emotions = tuple(_emotion_now(each, project, name_now) for each in project.emotions)
@@ -26,6 +28,7 @@ def refielded(project: Project, units: Mapping[int, ActionUnit | None], name_now
         emotions=emotions,
         expression=_largest(project.expression, name_now),
         corrections=_together(project, name_now),
+        animation=respelled(project.animation, lambda name: tuple(filter(None, [name_now(name)]))),
     )
 
 

@@ -10,6 +10,7 @@ from app.authoring.renaming import refielded, spelled
 from app.authoring.unit_names import BY_NUMBER, checked_name, checked_number, free_name, free_number
 from app.errors import UnitError
 from facemodel.actions import EXAGGERATED, GROUP_TITLES, ActionUnit, Group, JawMotion, resolve
+from facemodel.animation.respelling import respelled
 from facemodel.errors import UnknownNameError
 from facemodel.muscles.muscle import Model
 from facemodel.project import Project
@@ -207,7 +208,8 @@ def split(project: Project, number: int) -> Project:
     if weight is not None:
         expression |= dict.fromkeys(both.fields, weight)
     corrections = halved(project.corrections, both, project.face.skin)
-    return with_unit(replace(project, expression=expression, corrections=corrections), both)
+    animation = respelled(project.animation, lambda name: both.fields if name == unit.fields[0] else (name,))
+    return with_unit(replace(project, expression=expression, corrections=corrections, animation=animation), both)
 
 
 def joined(project: Project, number: int) -> Project:

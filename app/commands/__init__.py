@@ -4,6 +4,7 @@ A command holds the difference and nothing else.  ``do`` and ``undo`` are pure: 
 of the one they are given.
 """
 
+from app.commands.animation import EditAnimation, edit_animation
 from app.commands.command import Command, array_bytes
 from app.commands.content import EditContent, edit_content
 from app.commands.corrections import SetCorrections, set_corrections
@@ -24,6 +25,7 @@ from app.commands.whole import ReplaceProject, Several
 __all__ = [
     "ArrayName",
     "Command",
+    "EditAnimation",
     "EditContent",
     "KeyedDelta",
     "PaintLayers",
@@ -34,6 +36,7 @@ __all__ = [
     "SetWeights",
     "Several",
     "array_bytes",
+    "edit_animation",
     "edit_content",
     "layer_array",
     "paint_deltas",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from app.commands.animation import edit_animation
 from app.commands.command import Command
 from app.commands.content import edit_content
 from app.commands.corrections import set_corrections
@@ -21,6 +22,7 @@ def edit(before: Project, after: Project, label: str, gesture: str = "") -> Comm
         paint_layers(before.face, after.face, label, gesture),
         set_skull(before.face.skull, after.face.skull, label, gesture),
         set_corrections(before.corrections, after.corrections, label, gesture),
+        edit_animation(before.animation, after.animation, label, gesture),
     )
     needed = tuple(step for step in steps if step.changes)
     return needed[0] if len(needed) == 1 else Several(label, needed, gesture)
