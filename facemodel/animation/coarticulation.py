@@ -12,13 +12,14 @@ rises to 1, and F becomes (1 - k) F + k T.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from facemodel.actions import ActionUnit, resolve
 from facemodel.animation.ease import least_jerk
-from facemodel.animation.speech import Phoneme, Speech, Viseme, VisemeTable, plain
-from facemodel.animation.visemes import mouth_table
+from facemodel.animation.speech import Phoneme, Speech, Viseme, VisemeTable
+from facemodel.animation.visemes import mouth_table, parts_of
 from facemodel.errors import UnknownNameError
 from fem.types import FloatArray
 
@@ -39,6 +40,17 @@ FELT = 1.0
 
 AT_ONCE = 256
 """Times evaluated together, so that only sounds near them are looked at."""
+
+
+_known: WeakKeyDictionary[Speech, tuple[Sequence[ActionUnit], Mouth]] = WeakKeyDictionary()
+
+
+def mouth_of(speech: Speech, units: Sequence[ActionUnit]) -> Mouth:
+    """Speech as curves, made once as long as it is said with the same units."""
+    found = _known.get(speech)
+    if found is None or found[0] is not units:
+        found = _known[speech] = (units, Mouth(speech, units))
+    return found[1]
 
 
 class Mouth:
@@ -109,11 +121,10 @@ def _sounds(
     if not units:
         return []
     find = VisemeTable(visemes).find
-    glides = mouth_table().glides
     rest = find("sil") or Viseme("sil")
     found: list[tuple[Phoneme, Viseme]] = []
     for sound in sorted(phonemes, key=lambda each: each.start):
-        parts = glides.get(plain(sound.symbol)) or glides.get(plain(sound.symbol).upper()) or (sound.symbol,)
+        parts = parts_of(sound.symbol)
         length = (sound.end - sound.start) / len(parts)
         for number, part in enumerate(parts):
             begin = sound.start + number * length

@@ -14,9 +14,9 @@ from facemodel.actions import ActionUnit
 from facemodel.animation.captured import CapturedCurves
 from facemodel.animation.channels import RIGID, channel_of, channels
 from facemodel.animation.clip import Animation
-from facemodel.animation.coarticulation import Mouth
+from facemodel.animation.coarticulation import mouth_of
 from facemodel.animation.event import Bumps
-from facemodel.animation.idle import Life
+from facemodel.animation.idle import life_of
 from facemodel.animation.keyed import KeyedCurves
 from facemodel.animation.track import Track
 from fem.types import BoolArray, FloatArray, IntArray
@@ -42,25 +42,21 @@ class Pose:
 class Evaluator:
     """An animation made ready to be shown at any time.
 
-    Making one costs little for tracks that were in one before: their curves stay prepared.
+    Making one costs little for what was in one before: curves, layers, speech and idle life stay prepared.
 
     Attributes
     ----------
     channels : (C,) that move, in the order of the face's fields, then those of no field of it, head and eyes last
-    mouth, life : what speaks, and what lives by itself
 
     Parameters
     ----------
     animation : what happens
     units : of the face; without them speech does not know its fields
-    before : one of an earlier state; speech and idle life that are still the same are taken over from it
     """
 
-    def __init__(self, animation: Animation, units: Sequence[ActionUnit] = (), before: Evaluator | None = None) -> None:
+    def __init__(self, animation: Animation, units: Sequence[ActionUnit] = ()) -> None:
         events = [event for event in animation.events if not event.muted]
-        self._of = (animation, units)
-        mouth = _mouth(animation, units, before)
-        life = _life(animation, before)
+        mouth, life = mouth_of(animation.speech, units), life_of(animation.idle, animation.end)
         keyed = [track for track in animation.tracks if len(track.curve)]
         captured = [track for track in animation.tracks if track.captured is not None]
         moved = [track.channel for track in (*keyed, *captured)]
@@ -74,8 +70,8 @@ class Evaluator:
         pairs = [(e, row[name]) for e, event in enumerate(events) for name in event.channels if name in row]
         self._bumps = Bumps(events)
         self._event_of, self._event_rows = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
-        self.mouth, self._mouth_at = mouth, _places(mouth.channels, row)
-        self.life, self._life_at = life, _places(life.channels, row)
+        self._mouth, self._mouth_at = mouth, _places(mouth.channels, row)
+        self._life, self._life_at = life, _places(life.channels, row)
         known = [channel_of(name, units) for name in self.channels]
         self._low, self._high = np.array([[c.low, c.high] for c in known]).reshape(-1, 2).T
         self._weighs: BoolArray = np.array([not channel.rigid for channel in known], dtype=np.bool_)
@@ -110,27 +106,15 @@ class Evaluator:
         bumps = self._bumps.at(times)[:, self._event_of]
         np.add.at(events.T, self._event_rows, bumps.T)
         np.maximum.at(largest.T, self._event_rows, bumps.T)
-        spoken, closed = self.mouth.at(times)
+        spoken, closed = self._mouth.at(times)
         speech, life = np.zeros_like(base), np.zeros_like(base)
         speech[:, self._mouth_at[1]] = spoken[:, self._mouth_at[0]]
-        life[:, self._life_at[1]] = self.life.at(times)[:, self._life_at[0]]
+        life[:, self._life_at[1]] = self._life.at(times)[:, self._life_at[0]]
         total = base + events + speech + life
         full = np.maximum.reduce([np.ones_like(base), base, largest, speech, life])
         total = np.where(self._weighs, np.minimum(total, full), total)
         total -= np.where(self._opens, closed[:, None], 0.0) * total
         return np.clip(total, self._low, self._high)
-
-
-def _mouth(animation: Animation, units: Sequence[ActionUnit], before: Evaluator | None) -> Mouth:
-    if before is not None and before._of[0].speech is animation.speech and before._of[1] is units:
-        return before.mouth
-    return Mouth(animation.speech, units)
-
-
-def _life(animation: Animation, before: Evaluator | None) -> Life:
-    if before is not None and (before._of[0].idle, before._of[0].end) == (animation.idle, animation.end):
-        return before.life
-    return Life(animation.idle, animation.end)
 
 
 def _in_order(names: Sequence[str], tracks: Sequence[Track], units: Sequence[ActionUnit]) -> tuple[str, ...]:

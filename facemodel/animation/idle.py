@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from random import Random
 from typing import Literal
 
@@ -105,6 +106,12 @@ def idle_curves(idle: Idle, until: float) -> dict[str, Curve]:
         curves["head.pitch"] = curve_through(breath, idle.breathing * BREATH_PITCH * level)
         curves["head.y"] = curve_through(breath, idle.breathing * BREATH_RISE * level)
     return curves
+
+
+@lru_cache(maxsize=8)
+def life_of(idle: Idle | None, until: float) -> Life:
+    """Idle life as curves, made once as long as nothing of it changes."""
+    return Life(idle, until)
 
 
 class Life:

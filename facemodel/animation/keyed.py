@@ -34,8 +34,8 @@ class KeyedCurves:
 
     def at(self, times: FloatArray) -> FloatArray:
         """Values (T, C) at times (T,)."""
-        if not self._curves:
-            return np.zeros((len(times), 0))
+        if not self._curves or not len(times):
+            return np.zeros((len(times), len(self._curves)))
         pieces = self._passed(times) + self._first_piece
         return self._pieces.values(pieces, times[:, None])
 

@@ -20,6 +20,9 @@ THIRD = 1.0 / 3.0
 NEWTON_STEPS = 40
 """Bracketed steps; far more than the ten that take any share to its last bit."""
 
+LEVEL = 1e-12
+"""Per second; a slower change than that takes thirty thousand years."""
+
 SHARE_TOLERANCE = 1e-13
 """Of a segment: rounding in x(s) is a few units of 1e-16, times the steepest slope of s(u) that keys can make."""
 
@@ -104,7 +107,8 @@ def slopes(curve: Curve) -> FloatArray:
     before, after = secants[:-1], secants[1:]
     first, second = 2.0 * steps[1:] + steps[:-1], steps[1:] + 2.0 * steps[:-1]
     waits = (curve.shapes[:-2] == STEP) | (curve.shapes[1:-1] == STEP)
-    rising = (before * after > 0) & ~waits
+    level = np.minimum(np.abs(before), np.abs(after)) < LEVEL
+    rising = (np.sign(before) == np.sign(after)) & ~level & ~waits
     bound = first[rising] / before[rising] + second[rising] / after[rising]
     found[1:-1][rising] = (first + second)[rising] / bound
     return found
@@ -173,7 +177,7 @@ def _fitting(values: FloatArray, rises: FloatArray, all_values: FloatArray) -> F
     """By how much (n,) handles have to be levelled so that they end between the lowest and the highest key."""
     room = np.where(rises > 0, all_values.max() - values, values - all_values.min())
     size = np.abs(rises)
-    return np.divide(room, size, out=np.ones_like(size), where=size > room)
+    return np.asarray(np.divide(room, size, out=np.ones_like(size), where=size > room))
 
 
 def _polynomials(points: FloatArray) -> FloatArray:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from facemodel.animation.speech import Viseme
+from facemodel.animation.speech import Viseme, plain
 from resources import resource
 
 
@@ -20,11 +20,20 @@ class MouthTable:
     visemes : the English set
     glides : sounds that move from one viseme to another, by symbol
     opens : action units that part the lips, held back while lips have to meet
+    lengths : seconds that sounds of a viseme usually take, by its name; of any other under the empty name
     """
 
     visemes: tuple[Viseme, ...]
     glides: Mapping[str, tuple[str, ...]]
     opens: tuple[str, ...]
+    lengths: Mapping[str, float]
+
+
+def parts_of(symbol: str) -> tuple[str, ...]:
+    """The symbols that a sound is seen as: of a glide the two it moves between, else its own."""
+    glides = mouth_table().glides
+    bare = plain(symbol)
+    return glides.get(bare) or glides.get(bare.upper()) or (symbol,)
 
 
 @cache
@@ -35,4 +44,5 @@ def mouth_table() -> MouthTable:
         Viseme(each["name"], tuple(each["symbols"]), each["weights"], each["dominance"], each.get("closes", False))
         for each in raw["visemes"]
     )
-    return MouthTable(visemes, {name: tuple(parts) for name, parts in raw["glides"].items()}, tuple(raw["opens"]))
+    glides = {name: tuple(parts) for name, parts in raw["glides"].items()}
+    return MouthTable(visemes, glides, tuple(raw["opens"]), raw["lengths"])

@@ -43,15 +43,6 @@ def test_all_times_at_once_and_one_by_one_are_the_same_and_in_range(animation: A
         assert channel.low <= column.min() <= column.max() <= channel.high
 
 
-@given(animations(), animations())
-def test_an_evaluator_made_from_an_earlier_one_shows_the_same(before: Animation, after: Animation) -> None:
-    after = replace(after, speech=before.speech, idle=before.idle)
-    fresh, reused = Evaluator(after, UNITS), Evaluator(after, UNITS, Evaluator(before, UNITS))
-    times = np.linspace(0, 11, 7)
-    assert fresh.channels == reused.channels
-    assert np.array_equal(fresh.at(times), reused.at(times))
-
-
 def test_captured_curves_and_keys_are_summed() -> None:
     captured = Samples(np.full(10, 0.25, dtype=np.float32), 30.0)
     track = replace(still(0.5), captured=captured)
