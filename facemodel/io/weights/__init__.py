@@ -1,0 +1,9 @@
+"""Weights over time in the formats of other programs.
+
+Whatever is wrong with a file is said in one sentence.  What can be read is: gaps are bridged, a line that was cut off
+at the end is left out, and a note says so.
+"""
+
+from facemodel.io.weights.reading import READABLE, read_capture
+
+__all__ = ["READABLE", "read_capture"]

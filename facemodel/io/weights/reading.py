@@ -1,0 +1,60 @@
+"""Reads weights over time from a file, whatever program wrote it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from facemodel.actions import ActionUnit
+from facemodel.animation.capture import Capture
+from facemodel.errors import ProjectError
+from facemodel.io.damage import naming
+from facemodel.io.disk import read_file
+from facemodel.io.weights.arkit_json import read_arkit_json
+from facemodel.io.weights.fap import read_fap
+from facemodel.io.weights.live_link import is_arkit, read_live_link
+from facemodel.io.weights.openface import is_openface, read_openface
+from facemodel.io.weights.plain import read_plain
+from facemodel.io.weights.table import heading
+
+LARGEST_FILE = 1 << 29
+"""Bytes; an hour of OpenFace's 431 columns at 30 frames a second takes 400 MB."""
+
+READABLE = (".csv", ".json", ".fap")
+"""Suffixes of files with weights over time."""
+
+SLOWEST, FASTEST = 1.0, 1000.0
+"""Frames per second that may be said of a file."""
+
+
+def read_capture(path: Path, units: Sequence[ActionUnit] = (), rate: float | None = None) -> Capture:
+    """What a tracker saw, from a file of OpenFace, Live Link Face, ARKit, MediaPipe or MPEG-4, or a plain table.
+
+    Parameters
+    ----------
+    path : ``.csv``, ``.json`` or ``.fap``; the format of a table is known by its heading
+    units : of the face, for plain tables
+    rate : frames per second; noted times are then not looked at
+
+    Raises
+    ------
+    ProjectError
+        If there is no such file, it is of another kind, or damaged; the place and the remedy are named.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in READABLE:
+        raise ProjectError(f"“{path}” cannot be read: weights over time are in {', '.join(READABLE)} files.")
+    if rate is not None and not SLOWEST <= rate <= FASTEST:
+        raise ProjectError(f"“{path}” cannot have {rate:g} frames a second; choose from {SLOWEST:g} to {FASTEST:g}.")
+    data = read_file(path, LARGEST_FILE)
+    with naming(path, "read"):
+        if suffix == ".json":
+            return read_arkit_json(data, rate)
+        if suffix == ".fap":
+            return read_fap(data, rate)
+        names = heading(data)
+        if is_openface(names):
+            return read_openface(data, rate)
+        if is_arkit(names):
+            return read_live_link(data, rate)
+        return read_plain(data, units, rate)
