@@ -1,4 +1,4 @@
-"""The command line: ``risorius new, solve, info, render, export, gallery, edit``."""
+"""The command line: ``risorius new, solve, info, render, export, animate, demo, gallery, edit``."""
 
 from __future__ import annotations
 

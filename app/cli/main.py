@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from app.cli import commands
+from app.cli import animating, commands
 from app.cli.parser import parser
 from app.cli.screen import Screen
 from facemodel.errors import RisoriusError
@@ -39,6 +39,8 @@ def main(arguments: Sequence[str], screen: Screen) -> int:
         "info": commands.info,
         "render": partial(commands.render, screen=screen),
         "export": commands.export,
+        "animate": animating.animate,
+        "demo": animating.demo,
         "gallery": partial(commands.gallery, screen=screen),
         "edit": partial(commands.edit, screen=screen),
     }

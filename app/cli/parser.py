@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NoReturn
 
-from app.cli.values import OVERLAYS, overlays, size, weight
+from app.cli.values import OVERLAYS, overlays, rate, size, weight
 from app.view_state import VIEW_TITLES
 from facemodel.faces import face_keys
+from facemodel.io.weights.writing import WEIGHT_EXPORTS
 
 DESCRIPTION = """\
 A desktop editor for facial expression: muscles and skin solved with finite elements, mixed in real time.
@@ -35,6 +36,19 @@ formats:
   .npz   neutral (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
   .obj   the head with the expression, in millimetres
   .ply   the same as one coloured mesh
+
+"""
+
+
+ANIMATED = """\
+--capture takes a recording of OpenFace, Live Link Face, ARKit, MediaPipe or MPEG-4, or a table of weights.
+--speech takes phonemes of Rhubarb, Papagayo, Praat or the Montreal Forced Aligner.
+Both are brought into what is written; the project itself stays as it is.
+
+formats:
+  .risorius  the project with its animation
+  .csv       weights, frame by frame: --format weights, arkit or live-link
+  .fap       MPEG-4 face animation parameters, in units of this face
 
 """
 
@@ -153,6 +167,31 @@ def _export(made: ArgumentParser) -> None:
     _basis(made)
 
 
+def _written(made: ArgumentParser) -> None:
+    made.add_argument("--format", choices=tuple(WEIGHT_EXPORTS), help="of weights (the first that the suffix allows)")
+    made.add_argument("--fps", metavar="RATE", type=rate, help="frames per second (those of the project)")
+
+
+def _animate(made: ArgumentParser) -> None:
+    _project(made)
+    made.add_argument("out", metavar="OUT", type=Path, help="the file to write: .risorius, .csv or .fap")
+    made.add_argument(
+        "--capture", metavar="FILE", type=Path, action="append", default=[], help="a recording to bring in; repeatable"
+    )
+    made.add_argument("--table", metavar="FILE", type=Path, help="how its channels become action units")
+    made.add_argument(
+        "--speech", metavar="FILE", type=Path, action="append", default=[], help="phonemes to bring in; repeatable"
+    )
+    made.add_argument("--rate", metavar="RATE", type=rate, help="frames per second of what is brought in")
+    _written(made)
+
+
+def _demo(made: ArgumentParser) -> None:
+    made.add_argument("out", metavar="OUT", type=Path, help="the file to write: .risorius, .csv or .fap")
+    made.add_argument("--face", metavar="NAME", help=f"which face: {', '.join(face_keys())} (the first if not given)")
+    _written(made)
+
+
 def _gallery(made: ArgumentParser) -> None:
     _project(made)
     made.add_argument("out", metavar="OUT.png", type=Path, help="the picture to write")
@@ -186,6 +225,24 @@ COMMANDS = (
         _export,
         ("smile.risorius smile.glb", "smile.risorius fields.npz", "smile.risorius fear.obj --emotion fear=1"),
         FORMATS + WEIGHTS,
+    ),
+    Command(
+        "animate",
+        "bring captures and speech into a project, and write what happens over time",
+        _animate,
+        (
+            "smile.risorius played.risorius --capture take.csv",
+            "smile.risorius weights.csv --capture take.csv --format live-link",
+            "smile.risorius spoken.risorius --speech line.TextGrid",
+            "smile.risorius face.fap --fps 25",
+        ),
+        ANIMATED,
+    ),
+    Command(
+        "demo",
+        "write a piece of twenty seconds: seven emotions, a spoken line, blinks",
+        _demo,
+        ("demo.risorius", "demo.csv --format arkit"),
     ),
     Command(
         "gallery",

@@ -9,6 +9,9 @@ SMALLEST_SIDE = 16
 LARGEST_SIDE = 8192
 """Pixels; beyond this graphics drivers refuse."""
 
+SLOWEST_RATE, FASTEST_RATE = 1.0, 1000.0
+"""Frames per second of anything that is read or written."""
+
 OVERLAYS = ("skull", "muscles", "forces", "supports", "wireframe")
 """What can be drawn with the skin, named as in `app.view_state.ViewState`."""
 
@@ -35,6 +38,17 @@ def size(text: str) -> tuple[int, int]:
             f"“{text}” is not possible; choose {SMALLEST_SIDE} to {LARGEST_SIDE} pixels for each side"
         )
     return width, height
+
+
+def rate(text: str) -> float:
+    """Frames per second."""
+    try:
+        found = float(text)
+    except ValueError:
+        raise ArgumentTypeError(f"“{text}” is not a number of frames per second") from None
+    if not SLOWEST_RATE <= found <= FASTEST_RATE:
+        raise ArgumentTypeError(f"{text} frames a second are not possible; choose {SLOWEST_RATE:g} to {FASTEST_RATE:g}")
+    return found
 
 
 def overlays(text: str) -> frozenset[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -43,7 +44,7 @@ class EditAnimation:
     after: Parts = field(default_factory=dict)
     gesture: str = ""
 
-    @property
+    @cached_property
     def cost(self) -> int:
         """Bytes that only this command keeps alive: arrays that stand on one side alone."""
         old, new = (dict(_arrays(tuple(each.values()))) for each in (self.tracks.before, self.tracks.after))

@@ -12,6 +12,7 @@ from app.authoring.blending import blended
 from app.authoring.facs_table import filled_from_facs
 from app.authoring.jaw import with_jaw_axis
 from app.expression_text import format_expression, parse_expression
+from app.scripting.animating import PUBLIC, Animating
 from app.scripting.desk import ScriptDesk
 from app.scripting.muscle_handle import MuscleHandle
 from app.scripting.painting import Painter, Where
@@ -35,13 +36,15 @@ class Names:
     def __init__(self, desk: ScriptDesk) -> None:
         self._desk = desk
         self._painter = Painter(desk)
+        self._animating = Animating(desk)
 
     def namespace(self) -> dict[str, Any]:
         """All of it by name."""
         own = {name: getattr(self, name) for name in dir(type(self)) if not name.startswith("_")}
         own.pop("namespace")
         painting = {name: getattr(self._painter, name) for name in ("paint", "values", "set_values", "layers", "place")}
-        return {**own, **painting, "np": np}
+        animating = {name: getattr(self._animating, name) for name in PUBLIC}
+        return {**own, **painting, **animating, "np": np}
 
     def face(self) -> Face:
         """The face as it is now, a frozen value."""

@@ -62,6 +62,12 @@ def channel_of(name: str, units: Iterable[ActionUnit] = ()) -> Channel:
     return Channel(name, name, 0.0, EXAGGERATED)
 
 
+def channels_of(names: Iterable[str], units: Iterable[ActionUnit]) -> list[Channel]:
+    """Channels by name, for many at once."""
+    known = {channel.name: channel for channel in channels(units)}
+    return [known.get(name) or channel_of(name) for name in names]
+
+
 def channels(units: Iterable[ActionUnit]) -> tuple[Channel, ...]:
     """All channels of a face: its fields in the order of the units, left before right, then the rigid motions."""
     known = tuple(units)

@@ -12,7 +12,7 @@ import numpy as np
 
 from facemodel.actions import ActionUnit
 from facemodel.animation.captured import CapturedCurves
-from facemodel.animation.channels import RIGID, channel_of, channels
+from facemodel.animation.channels import RIGID, channels, channels_of
 from facemodel.animation.clip import Animation
 from facemodel.animation.coarticulation import mouth_of
 from facemodel.animation.event import Bumps
@@ -72,7 +72,7 @@ class Evaluator:
         self._event_of, self._event_rows = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
         self._mouth, self._mouth_at = mouth, _places(mouth.channels, row)
         self._life, self._life_at = life, _places(life.channels, row)
-        known = [channel_of(name, units) for name in self.channels]
+        known = channels_of(self.channels, units)
         self._low, self._high = np.array([[c.low, c.high] for c in known]).reshape(-1, 2).T
         self._weighs: BoolArray = np.array([not channel.rigid for channel in known], dtype=np.bool_)
         self._opens: BoolArray = np.array([name in mouth.opening for name in self.channels], dtype=np.bool_)

@@ -19,7 +19,7 @@ from facemodel.errors import UnknownNameError
 from fem.types import FloatArray
 from resources import resource
 
-STILL = 1e-6
+MOTIONLESS = 1e-6
 """A channel that never gets farther from zero than this does not move."""
 
 
@@ -109,7 +109,7 @@ def mapped(capture: Capture, mapping: Mapping, units: Sequence[ActionUnit], star
     column = {name: k for k, name in enumerate(capture.channels)}
     for row in rows:
         fields = fields_of(row.target, units)
-        if not fields and row.source in column and np.abs(capture.values[:, column[row.source]]).max() > STILL:
+        if not fields and row.source in column and np.abs(capture.values[:, column[row.source]]).max() > MOTIONLESS:
             lost.append(row.source)
         if fields and row.source in column:
             moved = _moved(capture.values[:, column[row.source]].astype(np.float64), row)
@@ -151,7 +151,7 @@ def _track(
     channel = channel_of(name, units)
     smooth = gaussian_filter1d(values, mapping.smoothing * rate, mode="nearest") if mapping.smoothing > 0 else values
     kept = np.clip(smooth, channel.low, channel.high).astype(np.float32)
-    return Track(name, captured=Samples(kept, rate, start)) if np.abs(kept).max(initial=0.0) > STILL else None
+    return Track(name, captured=Samples(kept, rate, start)) if np.abs(kept).max(initial=0.0) > MOTIONLESS else None
 
 
 def with_row(mapping: Mapping, place: int, row: MapRow) -> Mapping:

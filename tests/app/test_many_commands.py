@@ -13,7 +13,12 @@ from app.errors import NumberError, UnitError
 from app.scripting import run_script
 from app.tools import TOOLS, Bench, Pointer, ToolBox, skin_hit
 from app.view import View
+from facemodel.animation.clip import Animation
+from facemodel.animation.editing import bulk, dense, expressions, marks
+from facemodel.animation.editing.selection import selected
+from facemodel.animation.library import library, placed
 from facemodel.cache import solution_key
+from facemodel.io.animation import animation_arrays, animation_json
 from facemodel.io.project_file import project_bytes, project_of
 from facemodel.laying import collection
 from facemodel.laying.values import changed
@@ -143,6 +148,21 @@ class Hands:
             ]
         self.document.edit(self.one_of(ways)(), "Change units")  # type: ignore[operator]
 
+    def animate(self) -> None:
+        time, project = round(float(self.random.uniform(0, 5)), 2), self.project
+        weights = {str(self.one_of(project.units[0].fields)): float(self.random.uniform())}
+        clip, units = project.animation, project.units
+        ways: list[Callable[[], Animation]] = [
+            lambda: expressions.with_expression(clip, time, weights, f"face {self.count}", units),
+            lambda: placed(clip, self.one_of(library()), time, units)[0],  # type: ignore[arg-type]
+            lambda: bulk.moved_keys(clip, selected(clip, 0, time), 0.1, 0.1, units)[0],
+            lambda: bulk.deleted_keys(clip, selected(clip, time, time + 1)),
+            lambda: dense.each_track(clip, [t.channel for t in clip.tracks], lambda t: dense.offset(t, 0.25)),
+            lambda: marks.with_marker(clip, time, "here"),
+        ]
+        animation = self.one_of(ways)()  # type: ignore[operator]
+        self.document.edit(replace(project, animation=animation), "Animate", gesture=f"clip {self.count // 3}")
+
     def other_settings(self) -> None:
         density = int(self.random.integers(2, 5))
         other = replace(self.project, settings=replace(self.project.settings, density=density))
@@ -167,7 +187,9 @@ ACTS: dict[str, Callable[[Hands], None]] = {
 
 def fingerprint(project: Project) -> tuple[str, str]:
     """Return what only a project has that is the same to the last bit, in the same order."""
-    return solution_key(project), repr((project.emotions, project.expression))
+    arrays = {name: array.tobytes() for name, array in animation_arrays(project.animation).items()}
+    named = (project.emotions, project.expression, animation_json(project.animation), arrays)
+    return solution_key(project), repr(named)
 
 
 @pytest.fixture(scope="module")

@@ -2,10 +2,13 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from app.actions import Context
 from app.document import Document
 from app.playback import Clock, Playhead
+from app.posing import PointPull
 from facemodel.animation.clip import Animation
 from facemodel.animation.curve import Key, curve_of
 from facemodel.animation.timecode import frame_of, read_time, snapped, time_of, written
@@ -208,6 +211,30 @@ def test_stepping_goes_by_frames_and_closing_shows_the_sliders_again(document: D
     playhead.close()
     assert document.shown == {}
     animate(document, Animation())
+
+
+def test_a_pulled_point_moves_sliders_or_makes_keys(context: Context) -> None:
+    document = context.document
+    context.solving.solve()
+    assert document.solution is not None
+    basis = document.solution.basis
+    point = int(np.argmax(np.linalg.norm(basis.moving_field("12L"), axis=1)))
+    target = basis.display.points[point] + 0.7 * basis.moving_field("12L")[point]
+    pull = PointPull(document, point, among={"12L"})
+    pull.move(target + 3.0)
+    pull.move(target)
+    assert document.shown["12L"] == pytest.approx(0.7, abs=0.05)
+    pull.cancel()
+    assert document.shown == {}
+    playhead = Playhead(document, Watch())
+    playhead.auto_key = True
+    playhead.go(1.0)
+    pull = PointPull(document, point, among={"12L"})
+    pull.move(target)
+    pull.release()
+    assert document.project.expression == {}
+    assert document.shown["12L"] == pytest.approx(0.7, abs=0.05)
+    assert document.history.done == ("Pull the face",)
 
 
 @pytest.mark.parametrize("rate", [12.0, 23.976, 24.0, 25.0, 29.97, 30.0, 59.94, 60.0, 120.0])

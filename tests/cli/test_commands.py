@@ -26,7 +26,7 @@ from facemodel.solve import Solution
 from facemodel.superposition import Superposition
 from tests.io.small_project import identical, small_project
 
-COMMANDS = ("new", "solve", "info", "render", "export", "gallery", "edit")
+COMMANDS = ("new", "solve", "info", "render", "export", "animate", "demo", "gallery", "edit")
 
 
 class Paper:

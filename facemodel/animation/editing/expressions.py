@@ -9,7 +9,7 @@ import numpy as np
 
 from facemodel.actions import ActionUnit
 from facemodel.animation.captured import displaced
-from facemodel.animation.channels import RIGID, channel_of
+from facemodel.animation.channels import RIGID, channels_of
 from facemodel.animation.clip import Animation, KeyExpression
 from facemodel.animation.curve import SAME_TIME, Shape
 from facemodel.animation.displacement import SPACING
@@ -60,7 +60,8 @@ def _added(animation: Animation, time: float, units: Sequence[ActionUnit]) -> di
     evaluator = Evaluator(animation, units)
     at = np.array([float(time)])
     own = evaluator.own(at)[0]
-    low, high = np.array([[c.low, c.high] for c in (channel_of(n, units) for n in evaluator.channels)]).reshape(-1, 2).T
+    known = channels_of(evaluator.channels, units)
+    low, high = np.array([[channel.low, channel.high] for channel in known]).reshape(-1, 2).T
     return dict(zip(evaluator.channels, (evaluator.at(at)[0] - np.clip(own, low, high)).tolist(), strict=True))
 
 

@@ -1,0 +1,43 @@
+"""Pulling a point of the face: the sliders follow the hand, as if it had moved them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from app.document import Document
+from facemodel.animation.pulling import pulled
+from fem.types import FloatArray
+
+
+class PointPull:
+    """One gesture, from the press on a point to its release; it is one step, or keys where the document is keying.
+
+    Parameters
+    ----------
+    document : whose face is pulled; it has to be solved
+    point : of the drawn skin
+    among : fields that may move; all if not given
+    """
+
+    def __init__(self, document: Document, point: int, among: Collection[str] | None = None) -> None:
+        self._document, self._point, self._among = document, point, among
+        self._before = dict(document.shown)
+        self._moved: set[str] = set()
+
+    def move(self, target: FloatArray) -> None:
+        """Show the face with the point as near to a place (3,) as it comes, millimetres; nothing without a solution."""
+        solution, units = self._document.solution, self._document.project.units
+        if solution is None:
+            return
+        made = pulled(solution.basis, self._point, target, self._before, units, self._among)
+        changed = {name for name, weight in made.items() if weight != self._before.get(name, 0.0)}
+        self._moved |= changed
+        self._document.preview({name: made.get(name, 0.0) for name in self._moved})
+
+    def release(self) -> None:
+        """Keep what is shown."""
+        self._document.commit("Pull the face")
+
+    def cancel(self) -> None:
+        """Let the face go back."""
+        self._document.cancel_preview()
