@@ -7,13 +7,16 @@ from argparse import Namespace
 from dataclasses import replace
 from pathlib import Path
 
-from app.authoring.importing import with_capture, with_spoken
+from app.authoring.importing import with_capture, with_sound, with_spoken
 from app.cli.progress import ProgressLine
-from facemodel.animation.demo import demo_animation
+from app.speech import espeak_program, spoken_sound
+from facemodel.animation.demo import SPOKEN_AT, TEXT, demo_animation
 from facemodel.animation.evaluation import sampled
+from facemodel.animation.sound import voiced_span
 from facemodel.cache import solve_cached
 from facemodel.errors import ProjectError
 from facemodel.faces import DEFAULT_FACE
+from facemodel.io.audio import write_sound
 from facemodel.io.disk import checked_target
 from facemodel.io.project_file import load_project, save_project
 from facemodel.io.speech import read_speech
@@ -51,9 +54,23 @@ def demo(asked: Namespace) -> int:
     """Write the piece that shows what a face can do."""
     checked_target(asked.out)
     project = new_project(asked.face or DEFAULT_FACE)
-    played = replace(project, animation=demo_animation(project.units))
+    voice = asked.out.with_suffix(".wav")
+    if asked.out.suffix.lower() == PROJECT_SUFFIX and espeak_program() is not None:
+        played = _voiced(project, voice)
+        print(f"Wrote {voice}: a voice by eSpeak NG")
+    else:
+        played = replace(project, animation=demo_animation(project.units))
     print(f"Wrote {asked.out}: {_write(played, asked.out, asked.format, asked.fps)}")
     return 0
+
+
+def _voiced(project: Project, voice: Path) -> Project:
+    """The piece with a voice that says the line, written beside it."""
+    checked_target(voice)
+    sound = spoken_sound(TEXT)
+    write_sound(sound, voice)
+    played = replace(project, animation=demo_animation(project.units, voiced_span(sound)))
+    return with_sound(played, voice, sound, voice.parent, SPOKEN_AT)
 
 
 def _write(project: Project, out: Path, kind: str | None, rate: float | None) -> str:

@@ -10,7 +10,7 @@ from pathlib import Path
 from app.authoring.importing import Imported, with_capture, with_sound, with_spoken
 from app.errors import NumberError
 from app.scripting.desk import ScriptDesk
-from app.speech import sounds_of_text
+from app.speech import sounds_of_text, spoken_sound
 from facemodel.actions import find_emotion
 from facemodel.animation.clip import Animation
 from facemodel.animation.curve import Shape
@@ -24,9 +24,10 @@ from facemodel.animation.evaluation import Evaluator, sampled
 from facemodel.animation.idle import Idle
 from facemodel.animation.library import dynamic, library, placed
 from facemodel.animation.mapping import fields_of
+from facemodel.animation.sound import voiced_span
 from facemodel.animation.track import Track
 from facemodel.errors import UnknownNameError
-from facemodel.io.audio import read_sound
+from facemodel.io.audio import read_sound, write_sound
 from facemodel.io.speech import read_speech
 from facemodel.io.weights import read_capture
 from facemodel.io.weights.mapping_file import load_mapping
@@ -171,10 +172,24 @@ class Animating:
         phonemes = laid_out(typed(sounds), time, length)
         return self._take(with_spoken(self._desk.project, phonemes), "Type speech")
 
-    def speak(self, text: str, time: float = 0.0, length: float | None = None, voice: str = "en-us") -> tuple[str, ...]:
-        """Speak a text, where eSpeak NG is installed; returns notes."""
-        phonemes, words = sounds_of_text(text, time, length, voice)
-        return self._take(with_spoken(self._desk.project, phonemes, words), "Speak")
+    def speak(
+        self, text: str, time: float = 0.0, length: float | None = None, voice: str = "en-us", sound: str = ""
+    ) -> tuple[str, ...]:
+        """Speak a text, where eSpeak NG is installed; returns notes.
+
+        With the name of a WAV file for ``sound`` a voice is written into it and plays along.
+        """
+        begin = 0.0
+        if sound:
+            heard = spoken_sound(text, voice)
+            write_sound(heard, Path(sound))
+            begin, end = voiced_span(heard)
+            length = end - begin
+        phonemes, words = sounds_of_text(text, time + begin, length, voice)
+        notes = self._take(with_spoken(self._desk.project, phonemes, words), "Speak")
+        if sound:
+            self.sound(sound, time)
+        return notes
 
     def import_speech(self, path: str, time: float = 0.0, rate: float | None = None) -> tuple[str, ...]:
         """Phonemes from a file of Rhubarb, Papagayo, Praat or the Montreal aligner; returns notes."""

@@ -23,6 +23,9 @@ EACH, FIRST = 2.1, 0.4
 SPOKEN_AT, SPOKEN_FOR = 15.6, 3.4
 """When the line begins, and how long it takes, seconds."""
 
+TEXT = "Hello, my face is moved by muscles."
+"""What a voice says."""
+
 LINE = (
     ("Hello", "HH AH0 L OW1"),
     ("", "|"),
@@ -36,8 +39,13 @@ LINE = (
 """The line, word by word with its sounds."""
 
 
-def demo_animation(units: Sequence[ActionUnit]) -> Animation:
-    """The piece, for a face with these action units."""
+def demo_animation(units: Sequence[ActionUnit], spoken: tuple[float, float] | None = None) -> Animation:
+    """The piece, for a face with these action units.
+
+    Parameters
+    ----------
+    spoken : from when to when a voice says the line, seconds after `SPOKEN_AT`; as it is typed if not given
+    """
     animation = Animation(end=LENGTH, idle=Idle(seed=7, blinks=18.0))
     for number, name in enumerate(EMOTIONS):
         expression = find_expression(name)
@@ -45,14 +53,15 @@ def demo_animation(units: Sequence[ActionUnit]) -> Animation:
         animation, _ = placed(animation, expression, time, units, duration=EACH)
         animation = replace(animation, markers=(*animation.markers, Marker(time, expression.title)))
     words = [typed(sounds)[0] for _, sounds in LINE]
-    phonemes = laid_out(words, SPOKEN_AT, SPOKEN_FOR)
-    spoken: list[Word] = []
+    begin, end = spoken or (0.0, SPOKEN_FOR)
+    phonemes = laid_out(words, SPOKEN_AT + begin, end - begin)
+    named: list[Word] = []
     at = 0
     for (text, _), sounds in zip(LINE, words, strict=True):
         if text:
-            spoken.append(Word(text, phonemes[at].start, phonemes[at + len(sounds) - 1].end))
+            named.append(Word(text, phonemes[at].start, phonemes[at + len(sounds) - 1].end))
         at += len(sounds)
-    animation = with_phonemes(animation, phonemes, spoken)
+    animation = with_phonemes(animation, phonemes, named)
     animation, _ = placed(animation, find_expression("brow flash"), SPOKEN_AT - 0.1, units)
-    animation, _ = placed(animation, find_expression("nod"), SPOKEN_AT + SPOKEN_FOR - 0.5, units)
+    animation, _ = placed(animation, find_expression("nod"), SPOKEN_AT + end - 0.5, units)
     return replace(animation, markers=(*animation.markers, Marker(SPOKEN_AT, "Line")))

@@ -12,6 +12,9 @@ from fem.types import Float32Array
 FINEST = 64
 """Samples under one pair of peaks in the finest level; below that the samples themselves are drawn."""
 
+AUDIBLE = 0.03
+"""Of the loudest sample: below it a recording is taken as silent; 30 dB under a voice lies the noise of a room."""
+
 
 @dataclass(frozen=True, eq=False)
 class Sound:
@@ -95,6 +98,15 @@ def waveform(sound: Sound) -> Waveform:
 def _halved(values: Float32Array, step: int, which: np.ufunc) -> Float32Array:
     """The least or greatest of every so many values; the last stretch may be shorter."""
     return np.asarray(which.reduceat(values, np.arange(0, len(values), step)))
+
+
+def voiced_span(sound: Sound) -> tuple[float, float]:
+    """From when to when somebody speaks, seconds; all of it if it is silent throughout."""
+    loud = np.abs(sound.samples).max(axis=1, initial=0.0)
+    heard = np.flatnonzero(loud > AUDIBLE * loud.max(initial=0.0))
+    if not len(heard):
+        return 0.0, sound.duration
+    return float(heard[0]) / sound.rate, float(heard[-1] + 1) / sound.rate
 
 
 def resampled(sound: Sound, rate: int) -> Sound:

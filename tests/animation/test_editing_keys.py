@@ -17,6 +17,7 @@ from facemodel.animation.editing.selection import Selection, curve_of_row, rows,
 from facemodel.animation.keyed import values_of
 from facemodel.animation.samples import Samples
 from facemodel.animation.track import Track
+from facemodel.io.keys_text import KeysError, keys_from, keys_text
 from tests.animation.strategies import curves, times, tracks, values
 
 moves = st.tuples(st.integers(-300, 300).map(lambda frame: frame / 60.0), st.floats(-0.5, 0.5))
@@ -164,6 +165,21 @@ def test_what_was_copied_is_pasted_with_its_distances(case: tuple[Animation, Sel
         source, target = curve_of_row(animation, row), curve_of_row(made, row)
         assert target.times[list(now[row])] - time == pytest.approx(source.times[list(places)] - begin, abs=1e-6)
         assert [target.key(k).shape for k in now[row]] == [source.key(k).shape for k in places]
+
+
+@given(edited())
+def test_copied_keys_travel_as_text(case: tuple[Animation, Selection]) -> None:
+    copied = clipboard.copied_keys(*case)
+    if not copied:
+        return
+    again = keys_from(keys_text(copied))
+    assert {row: curve.keys for row, curve in again.items()} == {row: curve.keys for row, curve in copied.items()}
+
+
+@pytest.mark.parametrize("text", ["", "{}", "hello", '{"format": "risorius-keys", "rows": []}', "[" * 2000])
+def test_a_text_without_keys_is_refused_in_a_sentence(text: str) -> None:
+    with pytest.raises(KeysError, match="copy some in the timeline first"):
+        keys_from(text)
 
 
 def test_a_copied_row_is_pasted_onto_others() -> None:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.io import wavfile
 
 from facemodel.animation.editing.speech import unknown_symbols
-from facemodel.animation.sound import FINEST, Sound, resampled, waveform
+from facemodel.animation.sound import FINEST, Sound, resampled, voiced_span, waveform
 from facemodel.animation.speech import Speech
 from facemodel.errors import ProjectError
 from facemodel.io.audio import read_sound, sound_of, write_sound
@@ -194,6 +194,14 @@ def test_the_outline_of_a_long_sound_is_small() -> None:
     assert sum(level.size for level in outline.levels) < 480_000 / 12
     assert len(outline.levels[0]) == 480_000 // FINEST
     assert outline.duration == 10.0
+
+
+def test_the_silence_around_a_voice_is_told_from_it() -> None:
+    samples = np.zeros((16000, 1), np.float32)
+    samples[4000:12000] = np.sin(np.linspace(0, 800, 8000))[:, None]
+    samples[:4000] = 0.005
+    assert voiced_span(Sound(samples, 16000)) == (pytest.approx(0.25, abs=1e-3), pytest.approx(0.75, abs=1e-3))
+    assert voiced_span(Sound(np.zeros((160, 1), np.float32), 16000)) == (0.0, 0.01)
 
 
 def test_a_sound_of_another_rate_is_still_the_same_sound() -> None:

@@ -16,10 +16,10 @@ from facemodel.animation.capture import Capture
 from facemodel.animation.clip import Animation, Audio
 from facemodel.animation.curve import Key, curve_of
 from facemodel.animation.mapping import Mapping, MapRow
-from facemodel.animation.sound import Sound
+from facemodel.animation.sound import Sound, voiced_span
 from facemodel.animation.speech import Phoneme, Word
 from facemodel.animation.track import Track
-from facemodel.io.audio import write_sound
+from facemodel.io.audio import read_sound, write_sound
 from facemodel.io.project_file import load_project
 from facemodel.project import Project
 
@@ -189,6 +189,17 @@ def test_a_text_becomes_sounds_and_words() -> None:
     assert [word.text for word in words] == ["Hello", "world", "My", "name", "is", "Bob"]
     assert "sil" in {sound.symbol for sound in sounds}
     assert any(sound.symbol == "m" for sound in sounds)
+
+
+@needs_espeak
+def test_a_voice_is_written_and_the_mouth_follows_it(document: Document, tmp_path: Path) -> None:
+    path = tmp_path / "voice.wav"
+    run(document, f"speak('My name is Bob', time=1.0, sound={str(path)!r})")
+    animation = document.project.animation
+    begin, end = voiced_span(read_sound(path))
+    assert animation.audio == Audio(path.as_posix(), 1.0)
+    assert animation.speech.phonemes[0].start == pytest.approx(1.0 + begin)
+    assert animation.speech.phonemes[-1].end == pytest.approx(1.0 + end)
 
 
 @needs_espeak
