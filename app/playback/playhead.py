@@ -10,7 +10,7 @@ from psygnal import Signal
 
 from app.document import Document
 from app.playback.clock import AchievedRate, Clock, Now
-from facemodel.actions import Expression
+from facemodel.actions import Expression, field_names
 from facemodel.animation.clip import Animation
 from facemodel.animation.editing.expressions import keyed, with_expression
 from facemodel.animation.evaluation import Evaluator, Pose
@@ -215,7 +215,8 @@ class Playhead:
     def _show(self) -> None:
         before = self._pose
         self._pose = self._evaluator.pose(self._time)
-        self._document.play(self._pose.weights)
+        fields = set(field_names(self._document.project.units))
+        self._document.play({name: weight for name, weight in self._pose.weights.items() if name in fields})
         if self._pose != before:
             self.posed.emit(self._pose)
 

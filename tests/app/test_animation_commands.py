@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.authoring import units
@@ -25,6 +25,7 @@ def keyed(value: float, channel: str = "12L") -> Track:
     return Track(channel, curve_of([Key(0.0, value), Key(1.0, 0.0)]))
 
 
+@settings(max_examples=30)
 @given(st.lists(animations(), min_size=2, max_size=4))
 def test_any_change_is_undone_to_the_bit_and_done_again(project: Project, states: list[Animation]) -> None:
     document = Document(project)
@@ -42,6 +43,7 @@ def test_any_change_is_undone_to_the_bit_and_done_again(project: Project, states
         assert project_bytes(document.project) == data
 
 
+@settings(max_examples=40)
 @given(animations(), animations(), animations())
 def test_two_steps_of_a_gesture_are_one_from_the_first_state_to_the_last(
     project: Project, first: Animation, second: Animation, third: Animation

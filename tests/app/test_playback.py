@@ -58,6 +58,13 @@ def test_scrubbing_shows_the_face_and_makes_no_step(document: Document, playhead
     assert document.project.expression == {}
 
 
+def test_what_this_face_does_not_have_is_kept_and_not_shown(document: Document, playhead: Playhead) -> None:
+    animate(document, Animation((RISE, replace(RISE, channel="34"))))
+    playhead.go(1.0)
+    assert document.shown == {"12L": 0.5}
+    assert playhead.pose.weights["34"] == 0.5
+
+
 def test_what_is_not_animated_stays_with_its_slider(document: Document, playhead: Playhead) -> None:
     document.set_weights({"17": 0.4})
     playhead.go(1.0)
