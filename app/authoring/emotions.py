@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from app.errors import UnitError
-from facemodel.actions import Emotion, Expression, find_emotion
+from facemodel.actions import ActionUnit, Emotion, Expression, find_emotion
 from facemodel.project import Project
 
 LONGEST_NAME = 100
@@ -20,14 +20,14 @@ def with_expression(project: Project, name: str, expression: Expression) -> Proj
     UnitError
         If the name cannot be one, or nothing moves in the expression.
     """
-    weights = _told(project, expression)
+    weights = told_weights(expression, project.units)
     if not weights:
         raise UnitError("There is nothing to keep: every slider is at zero; move some first.")
     emotion = Emotion(_checked(name), weights)
     others = {each.name.lower(): each for each in project.emotions}
     if emotion.name.lower() in others:
-        emotion = replace(emotion, name=others[emotion.name.lower()].name)
-        emotions = tuple(emotion if each.name == emotion.name else each for each in project.emotions)
+        changed = replace(others[emotion.name.lower()], weights=weights)
+        emotions = tuple(changed if each.name == changed.name else each for each in project.emotions)
         return replace(project, emotions=emotions)
     return replace(project, emotions=(*project.emotions, emotion))
 
@@ -62,10 +62,10 @@ def free_name(project: Project, wanted: str = "expression") -> str:
     return next(name for name in names if name.lower() not in taken)
 
 
-def _told(project: Project, expression: Expression) -> dict[str, float]:
+def told_weights(expression: Expression, units: Sequence[ActionUnit]) -> dict[str, float]:
     """Weights as a person tells them: both sides in one where they are alike, and nothing of what is zero."""
     told: dict[str, float] = {}
-    for unit in project.units:
+    for unit in units:
         sides = {field: float(expression.get(field, 0.0)) for field in unit.fields}
         alike = len(set(sides.values())) == 1
         told.update({str(unit.number): sides[unit.fields[0]]} if alike else sides)

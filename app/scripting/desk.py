@@ -44,6 +44,11 @@ class ScriptDesk:
         """Change the project by a pure function, as one step that the script itself may undo."""
         self.document.edit(change(self.document.project), label)
 
+    def solved(self) -> Solution:
+        """The solution of the real document without what is sculpted; raises `FaceError` as `solution` does."""
+        whole = self.solution()
+        return self._real.solved or whole
+
     def solution(self) -> Solution:
         """The solution of the real document.
 

@@ -7,16 +7,18 @@ from typing import Any
 
 import numpy as np
 
-from app.authoring import emotions, units
+from app.authoring import emotions, pad, units
 from app.authoring.blending import blended
 from app.authoring.facs_table import filled_from_facs
 from app.authoring.jaw import with_jaw_axis
+from app.expression_clipboard import expressions_of, expressions_text, with_pasted
 from app.expression_text import format_expression, parse_expression
 from app.scripting.animating import PUBLIC, Animating
 from app.scripting.desk import ScriptDesk
 from app.scripting.muscle_handle import MuscleHandle
 from app.scripting.painting import Painter, Where
 from app.scripting.unit_handle import UnitHandle
+from app.superposition_check import Posed, check_superposition
 from facemodel.actions import Place, expand, find_emotion, resolve
 from facemodel.face import Face
 from facemodel.laying import collection
@@ -110,6 +112,33 @@ class Names:
         """Show a named expression and nothing else."""
         find_emotion(name, self._desk.project.emotions)
         self._desk.document.apply_emotion(name, strength)
+
+    def place_expression(self, name: str, place: Place | None) -> None:
+        """Lay a named expression on the pad at a place (x, y) from 0 to 1; none takes it off."""
+        self._desk.edit(lambda project: pad.with_place(project, name, place), f"Place {name} on the pad")
+
+    def blend_at(self, x: float, y: float, rest: bool = True) -> None:
+        """Show what is seen at a place of the pad, with the face at rest in its middle or without."""
+        self._desk.document.set_expression(pad.blend_at(self._desk.project, (x, y), rest), "Blend expressions")
+
+    def copy_expressions(self, *names: str) -> str:
+        """Named expressions as text for another project; all of them without names."""
+        project = self._desk.project
+        chosen = [find_emotion(name, project.emotions) for name in names] or project.emotions
+        return expressions_text(chosen, project.units)
+
+    def paste_expressions(self, text: str) -> tuple[str, ...]:
+        """Named expressions from a text; returns what they are called here.  What has no unit here is left out."""
+        read = expressions_of(text, self._desk.project.units)
+        project, names = with_pasted(self._desk.project, read)
+        self._desk.edit(lambda _: project, "Paste expressions")
+        return names
+
+    def check_superposition(self) -> tuple[float, float]:
+        """Solve the summed loads of what is shown in full: largest and rms distance from it, millimetres."""
+        document = self._desk.document
+        found = check_superposition(Posed(document.project, self._desk.solved().basis, document.shown))
+        return found.largest, found.rms
 
     def blend(self, places: Mapping[str, Place], at: Place) -> None:
         """Show what is seen at a place of a pad on which named expressions lie: the nearer one, the more of it."""

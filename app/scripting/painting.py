@@ -80,7 +80,7 @@ class Painter:
             partners = self._desk.ground.partners(face) if mirror else None
             stroke = Stroke(surface, face, own, brush, partners)
             for place in (at,) if to is None else (at, to):
-                stroke.extend(self._point(place))
+                stroke.extend(self.on_skin(place))
             delta = stroke.delta()
         self._desk.document.run(paint_deltas((delta,), f"Paint {own.title.lower()}"))
 
@@ -101,7 +101,8 @@ class Painter:
             return np.array(face.skin.positions[where])
         return _point(where)
 
-    def _point(self, where: Where) -> SurfacePoint:
+    def on_skin(self, where: Where) -> SurfacePoint:
+        """The place on the skin nearest to a place."""
         (found,) = self._desk.ground.surface(self._desk.project.face).path.nearest(self.place(where))
         return found
 

@@ -6,8 +6,10 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from app.authoring import intensities, units
+from app.authoring.mirroring import mirrored_unit
 from app.intensity import letter_of, weight_of
 from app.scripting.desk import ScriptDesk
+from app.scripting.sculpt_handle import SculptHandle
 from facemodel.actions import ActionUnit, Group, JawMotion
 from facemodel.project import Project
 
@@ -132,6 +134,16 @@ class UnitHandle:
     def move_jaw(self, degrees: float, slide: float = 0.0, side: float = 0.0) -> None:
         """Open the jaw by degrees and slide it forward and to the subject's left by millimetres at weight 1."""
         self._do(lambda project: units.with_jaw(project, self._number, degrees, slide, side), "Change")
+
+    @property
+    def sculpt(self) -> SculptHandle:
+        """What is sculpted on it, and the brush that sculpts it."""
+        return SculptHandle(self._desk, self._number)
+
+    def mirror(self) -> None:
+        """Do on the right what it did on the left, and the other way round."""
+        partners = self._desk.ground.partners(self._desk.project.face)
+        self._do(partial(mirrored_unit, number=self._number, partners=partners), "Mirror")
 
     def duplicate(self) -> UnitHandle:
         """A copy of it, behind it in the list."""

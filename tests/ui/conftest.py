@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import pytest
 from PySide6.QtWidgets import QApplication, QWidget
@@ -11,6 +11,7 @@ from app.document import Document
 from app.view import View
 from facemodel.project import Project
 from tests.app.conftest import small_project
+from ui.portraits import Portraits
 from ui.theme.apply import apply_theme
 from ui.theme.roles import DARK
 
@@ -39,6 +40,13 @@ def patch() -> Project:
 @pytest.fixture
 def document(patch: Project) -> Document:
     return Document(patch)
+
+
+@pytest.fixture
+def portraits(document: Document, qapp: QApplication) -> Iterator[Portraits]:
+    portraits = Portraits(document)
+    yield portraits
+    portraits.close()
 
 
 @pytest.fixture

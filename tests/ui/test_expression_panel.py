@@ -18,8 +18,8 @@ from ui.panels.unit_text import muscle_titles, unit_matches, unit_tooltip
 
 
 @pytest.fixture
-def panel(shown, document, view) -> ExpressionPanel:
-    panel = ExpressionPanel(document, view)
+def panel(shown, document, view, portraits) -> ExpressionPanel:
+    panel = ExpressionPanel(document, view, portraits)
     panel.resize(360, 700)
     return shown(panel)
 

@@ -2,32 +2,33 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QGridLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from app.document import Document
 from app.weights import checked_weights, emotion_weights
 from facemodel.actions import Emotion, Expression
 from facemodel.project import Project
 from ui.panels.emotion_match import shown_strength
+from ui.portraits import NEUTRAL, Portraits
 from ui.theme.metrics import GRID
 from ui.widgets.activation_slider import ActivationSlider
+from ui.widgets.face_button import FaceButton
 from ui.widgets.strength_button import StrengthButton
 
-COLUMNS = 4
+COLUMNS = 5
 
 
 class EmotionBar(QWidget):
     """Binds the emotions of a document to buttons and one strength slider, both ways."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document, portraits: Portraits) -> None:
         super().__init__()
-        self._document = document
+        self._document, self._portraits = document, portraits
         self._emotions: tuple[Emotion, ...] = ()
         self._full: dict[str, Expression] = {}
         self._active = ""
         self.buttons: dict[str, StrengthButton] = {}
-        self.neutral = QPushButton("Neutral")
-        self.neutral.setProperty("role", "quiet")
+        self.neutral = FaceButton("Neutral")
         self.neutral.setToolTip("Relax the whole face (0)")
         self.neutral.clicked.connect(lambda: self._document.reset_expression())
         self.strength = ActivationSlider("Strength")
@@ -44,6 +45,7 @@ class EmotionBar(QWidget):
         layout.setSpacing(GRID // 2)
         layout.addLayout(self._grid)
         layout.addWidget(self.strength)
+        portraits.taken.connect(self._show_portrait)
         self.show_project(document.project)
 
     def show_project(self, project: Project) -> None:
@@ -72,8 +74,14 @@ class EmotionBar(QWidget):
         self.strength.label = f"{self._active.capitalize()} strength" if on > 0 or held else "Strength"
         self.strength.set_weight(on)
 
+    def _show_portrait(self, name: str) -> None:
+        button = self.buttons.get(name) if name != NEUTRAL else self.neutral
+        if button is not None:
+            button.set_picture(self._portraits.picture(name))
+
     def _button(self, emotion: Emotion) -> StrengthButton:
         button = StrengthButton(emotion.title)
+        button.set_picture(self._portraits.picture(emotion.name))
         recipe = " + ".join(name for name in emotion.weights)
         button.setToolTip(f"{emotion.title}: {recipe}<br>Click for all of it, drag across for less")
         button.previewed.connect(lambda strength: self._preview(emotion.name, strength))

@@ -15,6 +15,7 @@ from facemodel.project import Project
 from ui.panels.emotion_bar import EmotionBar
 from ui.panels.unit_row import UnitRow
 from ui.panels.unit_text import muscle_titles, unit_matches
+from ui.portraits import Portraits
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
 from ui.widgets.collapsible import Collapsible
@@ -50,7 +51,7 @@ class ExpressionPanel(QWidget):
     muscles_hovered = Signal(object)
     folds_changed = Signal(object)
 
-    def __init__(self, document: Document, view: View) -> None:
+    def __init__(self, document: Document, view: View, portraits: Portraits) -> None:
         super().__init__()
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -63,7 +64,7 @@ class ExpressionPanel(QWidget):
         self.search = SearchLine()
         self.link = _tool("link-variant", "Move left and right together", view.state.linked)
         self.reset = _tool("restore", "Relax the whole face (0)")
-        self.emotions = EmotionBar(document)
+        self.emotions = EmotionBar(document, portraits)
         self._nothing = QLabel("No action unit has that number, name or muscle.")
         self._lay_out()
         self.show_project(document.project)

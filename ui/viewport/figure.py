@@ -10,7 +10,7 @@ from facemodel.face import Part
 from facemodel.superposition import Superposition
 from ui.viewport.eyes import EyeInLids
 from ui.viewport.lashes import Lashes
-from ui.viewport.lids import lid_line
+from ui.viewport.lids import lids_of
 from ui.viewport.look import look_of
 from ui.viewport.neck import neck_cap, neck_cut
 from ui.viewport.parts import enamel, lining, moved_by, socket, tongue
@@ -38,10 +38,7 @@ class Figure:
         self._look = look_of(face)
         cut = neck_cut(display)
         self.skin = Skin(posed, self._look, cut)
-        self.eyes = tuple(
-            EyeInLids(eye, lid_line(display.points, display.triangles, eye), self._look.palette.iris)
-            for eye in face.eyes
-        )
+        self.eyes = tuple(EyeInLids(eye, lids_of(display, eye), self._look.palette.iris) for eye in face.eyes)
         self.lashes: list[Lashes] = []
         self._carried: list[Surface] = []
         self._jaw: list[Surface] = []
@@ -112,6 +109,6 @@ class Figure:
         side = "L" if part.mesh.positions[:, 0].mean() > 0 else "R"
         display = self.posed.basis.display
         eye = next(eye for eye in self.posed.face.eyes if eye.side == side)
-        roots = lid_line(display.points, display.triangles, eye)
+        roots = lids_of(display, eye)
         if roots.closed:
             self.lashes.append(Lashes(eye, roots, self.posed.points, self._look.palette.hair))

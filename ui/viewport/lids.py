@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import igl
 import numpy as np
 
+from facemodel.display import DisplaySurface
 from facemodel.face import Eye
 from fem.types import Float32Array, FloatArray, IntArray
 
@@ -41,6 +43,12 @@ class LidLine:
         """The line (n, 3) on the posed skin ``points`` (P, 3), in order round the eye."""
         share = self.share[:, None]
         return np.asarray(points[self.start] * (1 - share) + points[self.stop] * share, dtype=np.float64)
+
+
+@lru_cache(maxsize=8)
+def lids_of(display: DisplaySurface, eye: Eye) -> LidLine:
+    """The edge of the resting lids of an eye on a drawn surface; remembered, so that lashes and light share it."""
+    return lid_line(display.points, display.triangles, eye)
 
 
 def lid_line(points: Float32Array | FloatArray, triangles: IntArray, eye: Eye) -> LidLine:

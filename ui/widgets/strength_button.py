@@ -1,20 +1,16 @@
-"""A button that is a bar at the same time: a click is full strength, a drag across it is any other."""
+"""A face that is a button and a bar at the same time: a click is full strength, a drag across it is any other."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QWidget
 
-from ui.theme.apply import current_theme
-from ui.theme.colour import blend
-from ui.theme.metrics import GRID, RADIUS, ROW
-from ui.theme.roles import Theme
-from ui.widgets.bar_paint import EDGE
+from ui.widgets.face_button import FaceButton
 from ui.widgets.weight_gestures import THRESHOLD
 
 
-class StrengthButton(QAbstractButton):
+class StrengthButton(FaceButton):
     """Shows how strongly something is on, from 0 to 1.
 
     Signals
@@ -31,28 +27,21 @@ class StrengthButton(QAbstractButton):
     pressed_fully = Signal(bool)
 
     def __init__(self, title: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setText(title)
-        self.setAccessibleName(title)
+        super().__init__(title, parent)
         self.setCheckable(True)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._strength = 0.0
         self._pressed_at: float | None = None
         self._dragging = False
         self.clicked.connect(self._click)
-
-    @property
-    def strength(self) -> float:
-        """How strongly it is on."""
-        return self._strength
 
     def set_strength(self, strength: float) -> None:
         """Show a strength; emits nothing."""
         self._strength = strength
         self.setChecked(strength > 0)
         self.update()
+
+    def caption(self) -> str:
+        """The word, or the number while it is dragged."""
+        return f"{self._strength:.2f}" if self._dragging else self.text()
 
     def nextCheckState(self) -> None:
         """A click alone checks nothing: what is shown follows the face."""
@@ -94,41 +83,6 @@ class StrengthButton(QAbstractButton):
             self.cancelled.emit()
         else:
             super().keyPressEvent(event)
-
-    def sizeHint(self) -> QSize:
-        """The word and a little air."""
-        return QSize(QFontMetrics(self.font()).horizontalAdvance(self.text()) + 2 * GRID, ROW)
-
-    def minimumSizeHint(self) -> QSize:
-        """The word."""
-        return QSize(QFontMetrics(self.font()).horizontalAdvance(self.text()) + GRID, ROW)
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        """A bar with the word in its middle, or the number while it is dragged."""
-        theme = current_theme()
-        area = QRectF(self.rect())
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        shape = QPainterPath()
-        shape.addRoundedRect(area, RADIUS, RADIUS)
-        painter.fillPath(shape, QColor(theme.hover if self.underMouse() or self.isDown() else theme.raised))
-        if self._strength > 0:
-            self._paint_fill(painter, shape, theme)
-        if self.hasFocus() or self._dragging or theme.name == "light":
-            strong = self.hasFocus() or self._dragging
-            painter.setPen(QPen(QColor(theme.accent if strong else theme.line), 1.0))
-            painter.drawRoundedRect(area.adjusted(0.5, 0.5, -0.5, -0.5), RADIUS, RADIUS)
-        painter.setPen(QColor(theme.text))
-        word = f"{self._strength:.2f}" if self._dragging else self.text()
-        painter.drawText(area, Qt.AlignmentFlag.AlignCenter, word)
-
-    def _paint_fill(self, painter: QPainter, shape: QPainterPath, theme: Theme) -> None:
-        width = self.width() * min(self._strength, 1.0)
-        painter.save()
-        painter.setClipPath(shape)
-        painter.fillRect(QRectF(0, 0, width, self.height()), blend(theme.raised, theme.accent, 0.34))
-        painter.fillRect(QRectF(width - EDGE, 0, EDGE, self.height()), QColor(theme.accent))
-        painter.restore()
 
     def _click(self) -> None:
         self.pressed_fully.emit(self._strength != 1.0)

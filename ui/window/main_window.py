@@ -28,6 +28,7 @@ from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.face_information import FaceInformation
 from ui.panels.muscle_text import muscle_label
 from ui.panels.muscles.actions import MUSCLE_ACTIONS
+from ui.portraits import Portraits
 from ui.viewport.tool_hands import ToolHands
 from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
@@ -86,7 +87,8 @@ class MainWindow(QMainWindow):
         self.viewport = Viewport(document, view, preparation, self)
         self.setCentralWidget(self.viewport)
         self.check = SuperpositionCheck(document, view, UiThread(self).deliver)
-        parts = Parts(self.context, bench, self.toolbox, self.viewport, self.check, preparation)
+        self.portraits = Portraits(document, self)
+        parts = Parts(self.context, bench, self.toolbox, self.viewport, self.check, self.portraits, preparation)
         self.panels = WorkspacePanels(parts, WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")
         self.docks = {
@@ -150,6 +152,7 @@ class MainWindow(QMainWindow):
         )
         self.context.solving.job.close()
         self.check.job.close()
+        self.portraits.close()
         self.viewport.close()
         event.accept()
         self.closed.emit()

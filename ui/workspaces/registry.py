@@ -28,11 +28,11 @@ from ui.workspaces.workspace import Parts, WorkspaceKind
 
 
 def _expression_panel(parts: Parts) -> ExpressionPanel:
-    return ExpressionPanel(parts.context.document, parts.context.view)
+    return ExpressionPanel(parts.context.document, parts.context.view, parts.portraits)
 
 
 def _actions_panel(parts: Parts) -> ActionsPanel:
-    panel = ActionsPanel(parts.context, parts.toolbox, parts.check)
+    panel = ActionsPanel(parts.context, parts.toolbox, parts.check, parts.portraits)
     panel.muscles_hovered.connect(parts.viewport.glow)
     return panel
 

@@ -13,6 +13,7 @@ from app.superposition_check import SuperpositionCheck
 from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 from app.view_state import WORKSPACE_TITLES, Workspace
+from ui.portraits import Portraits
 from ui.window.preparation import Preparation
 from ui.window.viewport_widget import Viewport
 
@@ -28,6 +29,7 @@ class Parts:
     toolbox : the tools; one of them is in hand
     viewport : where the face is
     check : the superposition check of what is seen
+    portraits : pictures of the named expressions
     preparation : does what takes a while away from the window's thread
     """
 
@@ -36,6 +38,7 @@ class Parts:
     toolbox: ToolBox
     viewport: Viewport
     check: SuperpositionCheck
+    portraits: Portraits
     preparation: Preparation
 
 

@@ -89,9 +89,11 @@ def test_solo_shows_the_unit_alone_and_leaves_the_sliders(panel, context):
     assert seen(context.document, context.view.state) == context.document.shown == {"17": 0.5}
 
 
-def test_a_kept_expression_can_be_named_stands_among_the_emotions_and_drives_the_sliders(panel, shown, context, qtbot):
+def test_a_kept_expression_can_be_named_stands_among_the_emotions_and_drives_the_sliders(
+    panel, shown, context, portraits, qtbot
+):
     document = context.document
-    sliders = shown(ExpressionPanel(document, context.view))
+    sliders = shown(ExpressionPanel(document, context.view, portraits))
     document.set_weights({"17": 0.5, "12L": 0.25})
     panel.tabs.setCurrentIndex(1)
     press(panel.expressions.keep)
@@ -132,8 +134,8 @@ def test_the_check_finds_muscles_to_add_up_and_the_jaw_not(panel, context, qtbot
     qtbot.waitUntil(lambda: "apart, " in panel.check.result.text(), timeout=10_000)
 
 
-def test_a_unit_of_another_name_is_listed_so_where_the_sliders_are(panel, shown, context):
-    sliders = shown(ExpressionPanel(context.document, context.view))
+def test_a_unit_of_another_name_is_listed_so_where_the_sliders_are(panel, shown, context, portraits):
+    sliders = shown(ExpressionPanel(context.document, context.view, portraits))
     panel.editor.head.name.selectAll()
     QTest.keyClicks(panel.editor.head.name, "smirk")
     QTest.keyClick(panel.editor.head.name, Qt.Key.Key_Return)

@@ -21,6 +21,7 @@ from app.superposition_check import SuperpositionCheck
 from app.tools.tool import Tool
 from app.tools.toolbox import ToolBox
 from facemodel.actions import ActionUnit
+from ui.panels.actions.blend_box import BlendBox
 from ui.panels.actions.expression_list import ExpressionList
 from ui.panels.actions.sculpt_brush import SculptBrushBox
 from ui.panels.actions.sculpt_deeds import SCULPT_ACTIONS
@@ -30,8 +31,10 @@ from ui.panels.actions.tool_button import tool_button
 from ui.panels.actions.unit_deeds import UNIT_ACTIONS, place
 from ui.panels.actions.unit_editor import UnitEditor
 from ui.panels.actions.unit_list import UnitList
+from ui.portraits import Portraits
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID
+from ui.widgets.collapsible import Collapsible
 
 WIDTH = 43 * GRID
 HEIGHTS = 330, 420
@@ -61,7 +64,7 @@ class ActionsPanel(QWidget):
 
     muscles_hovered = Signal(object)
 
-    def __init__(self, context: Context, toolbox: ToolBox, check: SuperpositionCheck) -> None:
+    def __init__(self, context: Context, toolbox: ToolBox, check: SuperpositionCheck, portraits: Portraits) -> None:
         super().__init__()
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -77,7 +80,8 @@ class ActionsPanel(QWidget):
         self.brush = SculptBrushBox(toolbox)
         self.layer = SculptLayerBox(context)
         self.editor = UnitEditor(context, (self.brush, self.layer))
-        self.expressions = ExpressionList(context)
+        self.expressions = ExpressionList(context, portraits)
+        self.blend = BlendBox(context, portraits)
         self.check = SuperpositionBox(context, check)
         self.new = self._deed(self._actions["unit.new"], "plus")
         self.buttons = {key: self._deed(self._actions[key], glyph) for key, glyph in GLYPHS.items()}
@@ -101,10 +105,19 @@ class ActionsPanel(QWidget):
         self.units.renamed.connect(self.editor.head.focus_name)
         self.units.stepped.connect(self._step)
         self.units.dropped.connect(lambda number, where: place(self._context, number, *where))
+        rows = self.expressions.names
+        rows.carried.connect(self.blend.carry)
+        rows.carried_off.connect(self.blend.let_fall)
+        rows.currentItemChanged.connect(self._pick)
+        self.blend.chosen.connect(self.expressions.choose)
         self.tabs.currentChanged.connect(self._turn_to)
         self._toolbox.tool_changed.connect(self._follow_tool)
         for signal in state_signals(self._context):
             signal.connect(self.refresh)
+
+    def _pick(self, *_rows: object) -> None:
+        emotion = self.expressions.chosen
+        self.blend.pick(emotion.name if emotion is not None else "")
 
     def _turn_to(self, tab: int) -> None:
         """Work on expressions is done without the brush that sculpts one unit."""
@@ -146,8 +159,13 @@ class ActionsPanel(QWidget):
         expressions = QWidget()
         below = QVBoxLayout(expressions)
         below.setContentsMargins(0, 0, 0, 0)
+        below.setSpacing(0)
         below.addWidget(self.expressions, 1)
-        below.addWidget(self.check)
+        for title, part in (("Blend", self.blend), ("Superposition", self.check)):
+            group = Collapsible(title)
+            group.rows.setContentsMargins(0, 0, 0, 0)
+            group.rows.addWidget(part)
+            below.addWidget(group)
         self.tabs.setDocumentMode(True)
         self.tabs.tabBar().setObjectName("parts")
         self.tabs.tabBar().setDrawBase(False)
