@@ -79,6 +79,7 @@ class Superposition:
     normals : (P, 3) float32, its unit normals; always the same array
     parts : posed points (n, 3) float32 of every part of the face by its name; always the same arrays
     jaw : (4, 4) motion of the mandible
+    shifts : how many shifts lie on what is posed
 
     Parameters
     ----------
@@ -99,6 +100,7 @@ class Superposition:
         self._rest_slopes = self._slopes.copy()
         self._weights = np.zeros(len(basis.names), dtype=np.float32)
         self._increments = 0
+        self.shifts = 0
 
         first_skin = sum(count for _, count in display.carried)
         self.points: Float32Array = self._buffer.reshape(-1, 3)[first_skin:]
@@ -128,7 +130,7 @@ class Superposition:
             return False
         self.face, self.basis = face, basis
         self._weights = np.zeros(len(basis.names), dtype=np.float32)
-        self._increments = 0
+        self._increments = self.shifts = 0
         self._buffer[: self._live] = self._rest
         self._slopes[:] = self._rest_slopes
         self._lids = self._rest.reshape(-1, 3)[self._glide.points]
@@ -137,7 +139,11 @@ class Superposition:
         return True
 
     def shift(self, change: DrawnChange) -> None:
-        """Move some points by more than the fields do, as a hand that sculpts asks for, until `settle` or `adopt`."""
+        """Move some points by more than the fields do, as a hand that sculpts asks for.
+
+        `settle` and `adopt` let go of it, and so does a pose for which the sum of the fields is formed anew.
+        """
+        self.shifts += 1
         live = self._buffer[: self._live].reshape(-1, 3)
         live[self._glide.points] = self._lids
         live[change.rows] += change.moved
@@ -147,7 +153,6 @@ class Superposition:
     def settle(self) -> None:
         """Form the sum of the fields anew; what they were shifted by is gone without a trace."""
         live = self._buffer[: self._live].reshape(-1, 3)
-        self._increments = 0
         self._sum(self._weights)
         self._finish(live)
 
@@ -173,7 +178,6 @@ class Superposition:
             for k in changed.tolist():
                 self._add(k, float(weights[k] - self._weights[k]))
         else:
-            self._increments = 0
             self._sum(weights)
         self._weights = weights
         self._turn_jaw()
@@ -199,6 +203,7 @@ class Superposition:
         add_field(self._slopes, self.basis.slopes[row], weight)
 
     def _sum(self, weights: Float32Array) -> None:
+        self._increments = self.shifts = 0
         sum_fields(self._buffer[: self._live], self._rest, self.basis.fields, weights)
         sum_fields(self._slopes, self._rest_slopes, self.basis.slopes, weights)
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.actions.context import Context
 from app.authoring.blending import shares
-from app.authoring.pad import AT_REST, MIDDLE, arranged, blend_at, emptied, on_pad, parts_on, with_place
+from app.authoring.pad import AT_REST, MIDDLE, arranged, blend_at, emptied, free_place, on_pad, parts_on, with_place
 from app.weights import whole_expression
 from facemodel.actions import Place
 from facemodel.errors import RisoriusError
@@ -52,6 +52,7 @@ class BlendBox(QWidget):
         self.rest = QCheckBox("Face at rest in the middle")
         self.rest.setToolTip("Blend towards the neutral face in the middle of the pad")
         self.rest.setChecked(True)
+        self.put = tool_button("map-marker-plus-outline", "Place the chosen expression, or take it off", self._put)
         self.arrange = tool_button("vector-circle", "Arrange all expressions on a circle", self._arrange)
         self.empty = tool_button("close-circle-outline", "Take all expressions off the pad", self._empty)
         self._lay_out()
@@ -114,8 +115,13 @@ class BlendBox(QWidget):
         at = (float(place[0]), float(place[1])) if isinstance(place, tuple) else None
         label = f"Place {title}" if at else f"Take {title} off the pad"
         self._step(lambda project: with_place(project, name, at), label)
-        self.pick(name if at else "")
+        self.pick(name)
         self.chosen.emit(name)
+
+    def _put(self) -> None:
+        """Lay the chosen expression on a free place, or take it off."""
+        there = self._picked_place() is not None
+        self._place(self._picked, None if there else free_place(self._context.document.project))
 
     def _arrange(self) -> None:
         self._step(arranged, "Arrange the pad")
@@ -149,6 +155,7 @@ class BlendBox(QWidget):
         return next((e.place for e in on_pad(self._context.document.project) if e.name == self._picked), None)
 
     def _show_numbers(self) -> None:
+        self.put.setEnabled(any(e.name == self._picked for e in self._context.document.project.emotions))
         place = self._picked_place()
         of = self._picked.capitalize() if place is not None else "Pointer"
         for bar, label, value in zip((self.x, self.y), ("across", "up"), place or self._pointer, strict=True):
@@ -208,6 +215,7 @@ class BlendBox(QWidget):
         below = QHBoxLayout()
         below.setSpacing(2)
         below.addWidget(self.rest, 1)
+        below.addWidget(self.put)
         below.addWidget(self.arrange)
         below.addWidget(self.empty)
         layout = QVBoxLayout(self)

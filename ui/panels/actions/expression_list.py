@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QListWidgetItem, QVBoxLayout, QWidget
 
 from app.actions.context import Context
 from app.authoring.emotions import free_name, moved, renamed, with_expression, without
@@ -19,6 +19,7 @@ from ui.panels.actions.tool_button import tool_button
 from ui.panels.emotion_match import shown_strength
 from ui.portraits import Portraits
 from ui.theme.metrics import GRID
+from ui.widgets.standing_line import StandingLine
 
 
 class ExpressionList(QWidget):
@@ -37,8 +38,7 @@ class ExpressionList(QWidget):
         self.copy_it = tool_button("content-copy", "Copy the expression as text (Ctrl+C)", self.copy)
         self.paste_it = tool_button("content-paste", "Paste expressions from text (Ctrl+V)", self.paste)
         self.take_away = tool_button("trash-can-outline", "Delete the expression", self.delete)
-        self.text = QLineEdit()
-        self.text.setAccessibleName("Weights of the expression")
+        self.text = StandingLine("Weights of the expression")
         self.text.setPlaceholderText("Weights, such as 12=0.8 1L=50%")
         self.text.setToolTip("What the expression is made of; Enter changes it")
         self._lay_out()
@@ -149,15 +149,16 @@ class ExpressionList(QWidget):
             return
         self.choose(new)
 
-    def _retype(self) -> None:
+    def _retype(self, typed: str) -> None:
         """Make the chosen expression what was typed."""
-        emotion, typed = self.chosen, self.text.text().strip()
-        units = self._context.document.project.units
-        if emotion is not None and typed != weights_text(emotion, units):
-            self._step(
-                lambda p: with_expression(p, emotion.name, parse_expression(typed, p.units)), f"Change {emotion.title}"
-            )
-        self._show_possible()
+        emotion = self.chosen
+        if emotion is None:
+            return
+        label = f"Change {emotion.title}"
+        if self._step(lambda p: with_expression(p, emotion.name, parse_expression(typed, p.units)), label):
+            self.text.accept_typed(self._weights())
+        else:
+            self.text.refuse()
 
     def _step(self, change: Callable[[Project], Project], label: str) -> bool:
         document = self._context.document
@@ -179,17 +180,19 @@ class ExpressionList(QWidget):
     def _show_possible(self, *_what: object) -> None:
         shown = self._context.document.shown
         row, count = self.names.currentRow(), self.names.count()
-        emotion = self.chosen
         self.keep.setEnabled(any(shown.values()))
         self.renew.setEnabled(any(shown.values()) and row >= 0)
         self.up.setEnabled(row > 0)
         self.down.setEnabled(0 <= row < count - 1)
         for part in (self.show_it, self.take_away, self.copy_it, self.text):
             part.setEnabled(row >= 0)
-        if not self.text.hasFocus() or self.text.text() == "":
-            self.text.setText(weights_text(emotion, self._context.document.project.units) if emotion else "")
-            self.text.setCursorPosition(0)
+        self.text.stand(self._weights())
         self._mark_shown(shown)
+
+    def _weights(self) -> str:
+        """What the chosen expression is made of, as text."""
+        emotion = self.chosen
+        return weights_text(emotion, self._context.document.project.units) if emotion else ""
 
     def _mark_shown(self, shown: Expression) -> None:
         self.names.blockSignals(True)
@@ -214,8 +217,7 @@ class ExpressionList(QWidget):
         names.pasted.connect(self.paste)
         names.stepped.connect(self._step_by)
         names.dropped.connect(self._put)
-        self.text.returnPressed.connect(self._retype)
-        self.text.editingFinished.connect(self._retype)
+        self.text.entered.connect(self._retype)
 
     def _lay_out(self) -> None:
         line = QHBoxLayout()
