@@ -19,9 +19,10 @@ def other_side(field: str, units: Sequence[ActionUnit]) -> str | None:
 def both_sides(weights: Mapping[str, float], units: Sequence[ActionUnit], linked: bool) -> dict[str, float]:
     """The weights as they are, or with each side's weight given to the other too when the sides are linked.
 
-    A field that is named itself keeps its own weight.
+    A field that is named itself keeps its own weight; of a unit whose sides undo each other they are never linked.
     """
     if not linked:
         return dict(weights)
-    mirrored = {other_side(field, units): weight for field, weight in weights.items()}
+    together = [unit for unit in units if not unit.opposed]
+    mirrored = {other_side(field, together): weight for field, weight in weights.items()}
     return {**{field: weight for field, weight in mirrored.items() if field is not None}, **weights}

@@ -25,7 +25,7 @@ def alone(project: Project, state: ViewState, shown: Expression) -> Expression |
         return None
     unseen = not any(shown.get(field) for field in unit.fields)
     if state.solo or (unseen and (state.trying or state.tool == SCULPT)):
-        return dict.fromkeys(unit.fields, 1.0)
+        return unit.full
     return None
 
 

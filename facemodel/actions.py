@@ -96,6 +96,16 @@ class ActionUnit:
         """Names of its displacement fields: ``("12L", "12R")`` or ``("17",)``."""
         return (f"{self.number}L", f"{self.number}R") if self.paired else (str(self.number),)
 
+    @property
+    def opposed(self) -> bool:
+        """Whether left and right undo each other, as a jaw cannot go both ways at once."""
+        return self.paired and self.jaw is not None and self.jaw.side != 0
+
+    @property
+    def full(self) -> dict[str, float]:
+        """Weights that show all of it: both sides at 1, or the left one where they undo each other."""
+        return dict.fromkeys(self.fields[:1] if self.opposed else self.fields, 1.0)
+
     def jaw_of(self, field_name: str) -> JawMotion | None:
         """What one of its fields does to the mandible: the right one of a pair is the mirror image of the left one."""
         if self.jaw is None or not self.paired or field_name == self.fields[0]:

@@ -141,11 +141,12 @@ class SculptHandle:
         if not all(layer.share for layer in layers.values()):
             raise FaceError(f"What is sculpted on action unit {unit.number} is off; set sculpt.on and sculpt.amount.")
         partners = self._desk.ground.partners(project.face) if mirror else None
-        surface, alone = self._desk.ground.surface(project.face), dict.fromkeys(unit.fields, 1.0)
-        return SculptStroke(sculpt_work(project, unit, self._desk.solved().basis, alone, surface, partners), brush)
+        surface, basis = self._desk.ground.surface(project.face), self._desk.solved().basis
+        return SculptStroke(sculpt_work(project, unit, basis, unit.full, surface, partners), brush)
 
     def _keep(self, stroke: SculptStroke) -> None:
-        project = self._desk.project
-        made = sculpting.with_corrections(project, self._unit, stroke.corrections)
+        project, unit = self._desk.project, self._unit
+        layers = {**sculpting.layers_of(project, unit), **stroke.corrections}
+        made = sculpting.with_corrections(project, unit, layers)
         label = f"{SCULPT_TITLES[stroke.brush.mode]} AU {self._number}"
         self._desk.document.run(set_corrections(project.corrections, made.corrections, label))

@@ -8,6 +8,7 @@ import pytest
 from app.authoring import units
 from app.authoring.mirroring import mirrored_unit
 from app.errors import UnitError
+from app.sides import both_sides
 from facemodel.actions import ActionUnit, Emotion, JawMotion, expand
 from facemodel.fields import jaw_table
 from facemodel.io.project_file import project_bytes, project_of
@@ -91,3 +92,13 @@ def test_a_shift_of_the_jaw_is_kept_in_files_and_old_files_do_not_know_it(swayin
 def test_merging_adds_up_where_the_jaw_goes(swaying: Project) -> None:
     made = units.merged(swaying, 26, 30, 1.0, 0.5)
     assert units.unit_of(made, 26).jaw == JawMotion(16.0, 3.5, -3.0)
+
+
+def test_sides_that_undo_each_other_are_neither_linked_nor_shown_together(swaying: Project) -> None:
+    apart = units.split(swaying, 30)
+    sway, smile = units.unit_of(apart, 30), units.unit_of(apart, 12)
+    assert sway.opposed
+    assert not smile.opposed
+    assert sway.full == {"30L": 1.0}
+    assert smile.full == {"12L": 1.0, "12R": 1.0}
+    assert both_sides({"30L": 0.5, "12L": 0.5}, apart.units, linked=True) == {"30L": 0.5, "12L": 0.5, "12R": 0.5}

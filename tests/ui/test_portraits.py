@@ -4,7 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QImage
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from app.authoring.emotions import renamed, with_expression
 from app.document import Document
@@ -19,9 +22,13 @@ SOON = 20_000
 
 
 @pytest.fixture(autouse=True)
-def _soon(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nobody changes anything here, so that there is nothing to wait for."""
+def _nobody_is_busy(monkeypatch: pytest.MonkeyPatch, shown) -> None:
+    """Let go of the buttons that other tests hold; nobody changes anything, so that there is nothing to wait for."""
     monkeypatch.setattr("ui.portraits.portraits.REST", 20)
+    desk = shown(QWidget())
+    for button in (Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton):
+        QTest.mouseRelease(desk, button)
+    assert QGuiApplication.mouseButtons() == Qt.MouseButton.NoButton
 
 
 @pytest.fixture

@@ -54,6 +54,7 @@ class UnitRow(QWidget):
         self._lay_out()
         self.split.toggled.connect(self._unfold)
         self.split.clicked.connect(self._part)
+        self.unfold(unit.opposed)
         self.mark_sculpted(bool(layers_of(document.project, unit)))
         self._explain()
 

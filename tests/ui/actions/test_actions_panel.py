@@ -1,14 +1,20 @@
 """The actions' panel: units are made of muscles, solved, shown alone, and kept as expressions."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
+from app.authoring.units import with_note
 from app.solo import seen
 from facemodel.actions import expand
+from facemodel.sculpting.correction import correction_of
 from tests.ui.hands import drag
 from ui.panels.actions.panel import ActionsPanel
+from ui.panels.actions.unit_list import SCULPTED, WEIGHT
 from ui.panels.expression_panel import ExpressionPanel
 
 
@@ -140,3 +146,80 @@ def test_a_unit_of_another_name_is_listed_so_where_the_sliders_are(panel, shown,
     QTest.keyClicks(panel.editor.head.name, "smirk")
     QTest.keyClick(panel.editor.head.name, Qt.Key.Key_Return)
     assert sliders.rows[12].slider.label == "Smirk"
+
+
+def test_a_unit_that_is_not_shown_is_seen_alone_while_a_hand_changes_it(panel, context):
+    context.document.set_weights({"17": 0.5})
+    bar = panel.editor.muscles.weights["zygomaticus_major"]
+    drag(bar, 0.2, 0.6, release=False)
+    assert seen(context.document, context.view.state) == {"12L": 1.0, "12R": 1.0}
+    QTest.keyClick(bar, Qt.Key.Key_Escape)
+    assert seen(context.document, context.view.state) == {"17": 0.5}
+    context.document.set_weights({"12": 0.2})
+    drag(bar, 0.2, 0.6, release=False)
+    assert seen(context.document, context.view.state) == {"12L": 0.2, "12R": 0.2, "17": 0.5}
+    QTest.keyClick(bar, Qt.Key.Key_Escape)
+
+
+def test_the_unit_has_its_slider_beside_what_it_is_made_of(panel, context):
+    row = panel.editor.show_.row
+    drag(row.slider, 0.0, 0.5)
+    assert context.document.shown["12L"] == context.document.shown["12R"] == pytest.approx(0.5, abs=0.02)
+    assert panel.units.row_of(12).data(0, WEIGHT) == f"{context.document.shown['12L']:.2f}"
+    context.view.change(unit=17)
+    assert panel.editor.show_.row.unit.number == 17
+    drag(panel.editor.show_.row.slider, 0.0, 0.25)
+    assert context.document.shown["17"] == pytest.approx(0.25, abs=0.02)
+
+
+def test_the_jaw_goes_aside_by_a_number_and_its_mirror_image_to_the_other_side(panel, context):
+    context.view.change(unit=26)
+    mirror = panel.buttons["unit.mirror"]
+    assert not mirror.isEnabled()
+    bar = panel.editor.jaw.side
+    QTest.mouseDClick(bar, Qt.MouseButton.LeftButton)
+    line = bar.findChild(QLineEdit)
+    line.selectAll()
+    QTest.keyClicks(line, "-4")
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    assert unit(context, 26).jaw.side == -4.0
+    press(mirror)
+    assert unit(context, 26).jaw.side == 4.0
+    assert bar.value == 4.0
+    assert context.document.history.done[-1] == "Mirror Jaw drop"
+    context.document.undo(), context.document.undo()
+    assert unit(context, 26).jaw.side == 0.0
+
+
+def test_a_sculpted_unit_is_marked_in_the_lists_and_told(panel, context, shown, portraits):
+    sliders = shown(ExpressionPanel(context.document, context.view, portraits))
+    bump = np.full((len(context.document.project.face.skin.positions), 3), 0.5)
+    context.document.edit(replace(context.document.project, corrections={"17": correction_of(bump)}), "Sculpt")
+    assert panel.units.row_of(17).data(0, SCULPTED)
+    assert not panel.units.row_of(12).data(0, SCULPTED)
+    assert "sculpted by hand" in sliders.rows[17].slider.toolTip()
+    assert not panel.layer.amount.isEnabled()
+    context.view.change(unit=17)
+    assert panel.layer.amount.isEnabled()
+    drag(panel.layer.amount, 0.9, 0.4, release=False)
+    assert context.document.project.corrections["17"].amount < 0.7
+    QTest.keyClick(panel.layer.amount, Qt.Key.Key_Escape)
+    assert context.document.project.corrections["17"].amount == 1.0
+    drag(panel.layer.amount, 0.9, 0.4)
+    assert len(context.document.history.done) == 2
+
+
+def test_a_note_of_several_lines_is_not_changed_by_being_looked_at(panel, context):
+    context.document.edit(with_note(context.document.project, 12, "one\ntwo"), "Note")
+    note = panel.editor.head.note
+    assert note.text() == "one two"
+    note.setFocus()
+    panel.units.setFocus()
+    assert unit(context, 12).note == "one\ntwo"
+    note.setFocus()
+    note.selectAll()
+    QTest.keyClicks(note, "a smile")
+    QTest.keyClick(note, Qt.Key.Key_Return)
+    assert unit(context, 12).note == "a smile"
+    context.document.undo()
+    assert unit(context, 12).note == "one\ntwo"

@@ -41,7 +41,7 @@ class Drawn:
     @property
     def pulling(self) -> Expression:
         """The weights whose forces are shown: of the unit that is worked on all, else those it is posed with."""
-        return self.expression if self.unit is None else dict.fromkeys(self.unit.fields, 1.0)
+        return self.expression if self.unit is None else self.unit.full
 
 
 class Overlay:

@@ -104,7 +104,7 @@ class UnitMaps:
 
     def _pull(self, unit: ActionUnit, drawn: Drawn) -> Amounts:
         """How hard the muscles of a unit pull at 1."""
-        force = FieldForces(drawn.project).of(dict.fromkeys(unit.fields, 1.0))
+        force = FieldForces(drawn.project).of(unit.full)
         display = drawn.figure.posed.basis.display
         size = at_points(drawn.project.face, display, np.linalg.norm(force, axis=1))
         return Amounts(f"Pull of AU {unit.number}", "kPa", KPA * size)
@@ -125,7 +125,7 @@ def _sculpted(document: Document, unit: ActionUnit) -> Amounts | None:
 
 
 def _moved(solution: Solution | None, unit: ActionUnit) -> Float32Array | None:
-    return None if solution is None else moved_by(solution.basis, dict.fromkeys(unit.fields, 1.0))
+    return None if solution is None else moved_by(solution.basis, unit.full)
 
 
 MAPS: dict[str, Callable[[Document, ActionUnit], Amounts | None]] = {"motion": _motion, "sculpted": _sculpted}
