@@ -6,10 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.authoring import emotions, units
+from app.authoring import emotions, pad, sculpting, units
+from app.authoring.mirroring import mirrored_unit
 from app.commands import ReplaceProject
+from app.commands.corrections import set_corrections
 from app.document import Document
 from app.errors import NumberError, UnitError
+from app.expression_clipboard import expressions_of, expressions_text, with_pasted
 from app.scripting import run_script
 from app.tools import TOOLS, Bench, Pointer, ToolBox, skin_hit
 from app.view import View
@@ -25,6 +28,7 @@ from facemodel.laying.values import changed
 from facemodel.painting.brush import MODES
 from facemodel.painting.layers import LAYER
 from facemodel.project import Project
+from facemodel.sculpting.correction import correction_of
 
 COMMANDS = 500
 SEED = 1998
@@ -138,7 +142,7 @@ class Hands:
             lambda: (units.joined if unit.paired else units.split)(self.project, number),
             lambda: units.renamed(self.project, number, f"unit {self.count}"),
             lambda: units.renumbered(self.project, number, 200 + self.count),
-            lambda: units.with_jaw(self.project, number, 5.0, 1.0),
+            lambda: units.with_jaw(self.project, number, 5.0, 1.0, float(self.random.uniform(-5, 5))),
             lambda: units.moved_unit(self.project, number, int(self.random.integers(4))),
         ]
         if len(self.project.units) > 6:
@@ -162,6 +166,40 @@ class Hands:
         ]
         animation = self.one_of(ways)()  # type: ignore[operator]
         self.document.edit(replace(project, animation=animation), "Animate", gesture=f"clip {self.count // 3}")
+
+    def sculpt(self) -> None:
+        unit = self.one_of(self.project.units)
+        rough = self.random.uniform(-2, 2, self.project.face.skin.positions.shape)
+        rough[self.random.random(len(rough)) < 0.8] = 0.0
+        field = str(self.one_of(unit.fields))  # type: ignore[attr-defined]
+        layers = {**sculpting.layers_of(self.project, unit), field: correction_of(rough)}  # type: ignore[arg-type]
+        made = sculpting.with_corrections(self.project, unit, layers)  # type: ignore[arg-type]
+        gesture = f"sculpt {self.count // 3}"
+        self.document.run(set_corrections(self.project.corrections, made.corrections, "Sculpt", gesture))
+
+    def change_sculpt(self) -> None:
+        sculpted = sculpting.sculpted_units(self.project) or {self.project.units[0].number}
+        number, partners = int(self.one_of(sorted(sculpted))), self.project.face.mirror  # type: ignore[call-overload]
+        other = int(self.one_of(self.project.units).number)  # type: ignore[attr-defined]
+        ways: list[Callable[[], Project]] = [
+            lambda: sculpting.with_amount(self.project, number, self.random.uniform()),
+            lambda: sculpting.with_switch(self.project, number, bool(self.random.random() < 0.5)),
+            lambda: sculpting.symmetric(self.project, number, "L", partners),
+            lambda: sculpting.copied_to(self.project, number, other),
+            lambda: sculpting.cleared(self.project, number),
+            lambda: mirrored_unit(self.project, number, partners),
+        ]
+        self.document.edit(self.one_of(ways)(), "Change sculpt")  # type: ignore[operator]
+
+    def lay_on_pad(self) -> None:
+        name = self.one_of(self.project.emotions).name  # type: ignore[attr-defined]
+        place = None if self.random.random() < 0.2 else (self.random.uniform(), self.random.uniform())
+        self.document.edit(pad.with_place(self.project, name, place), "Place")
+
+    def paste_emotions(self) -> None:
+        text = expressions_text(self.project.emotions[:1], self.project.units)
+        made, _ = with_pasted(self.project, expressions_of(text, self.project.units))
+        self.document.edit(made, "Paste")
 
     def other_settings(self) -> None:
         density = int(self.random.integers(2, 5))
@@ -187,8 +225,12 @@ ACTS: dict[str, Callable[[Hands], None]] = {
 
 def fingerprint(project: Project) -> tuple[str, str]:
     """Return what only a project has that is the same to the last bit, in the same order."""
+    layers = [
+        (name, each.vertices.tobytes(), each.moved.tobytes(), each.amount, each.on)
+        for name, each in project.corrections.items()
+    ]
     arrays = {name: array.tobytes() for name, array in animation_arrays(project.animation).items()}
-    named = (project.emotions, project.expression, animation_json(project.animation), arrays)
+    named = (project.emotions, project.expression, layers, animation_json(project.animation), arrays)
     return solution_key(project), repr(named)
 
 

@@ -135,7 +135,7 @@ def test_the_check_finds_muscles_to_add_up_and_the_jaw_not(panel, context, qtbot
     press(panel.check.button)
     qtbot.waitUntil(lambda: "exact" in panel.check.result.text(), timeout=10_000)
     context.document.set_weights({"26": 0.5})
-    assert panel.check.result.text() == ""
+    assert "Checks what" in panel.check.result.text()
     press(panel.check.button)
     qtbot.waitUntil(lambda: "apart, " in panel.check.result.text(), timeout=10_000)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.actions.context import Context
@@ -164,6 +165,16 @@ class BlendBox(QWidget):
                 bar.set_value(value)
             bar.update()
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with the face."""
+        super().showEvent(event)
+        self._show_pointer()
+
+    def _follow(self, _now: object) -> None:
+        """Another expression; nobody pays for it on the way of a slider to the screen who does not look at the pad."""
+        if self.isVisible():
+            self._show_pointer()
+
     def _show_pointer(self, *_now: object) -> None:
         """Show how much of each expression is meant, and whether the face shows just that."""
         document = self._context.document
@@ -193,7 +204,7 @@ class BlendBox(QWidget):
         document, pad = self._context.document, self.pad
         for signal in (document.project_changed, document.emotions_changed, document.units_changed):
             signal.connect(self.show_places)
-        document.expression_changed.connect(self._show_pointer)
+        document.expression_changed.connect(self._follow)
         self._portraits.taken.connect(self.show_places)
         pad.pointed.connect(self.point)
         pad.kept.connect(self._keep)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
@@ -42,6 +42,9 @@ HEIGHTS = 330, 420
 
 UNITS, EXPRESSIONS = 0, 1
 """Places of the tabs."""
+
+HEADING = 4 * GRID
+"""Room for the heading over what is brought into view."""
 
 GLYPHS = {
     "unit.duplicate": "content-duplicate",
@@ -130,8 +133,8 @@ class ActionsPanel(QWidget):
         """Show what the brush works on."""
         if tool.id == SCULPT:
             self.tabs.setCurrentIndex(UNITS)
-            self._area.ensureWidgetVisible(self.layer, 0, GRID)
-            self._area.ensureWidgetVisible(self.brush, 0, GRID)
+            top = self.brush.mapTo(self.editor, QPoint(0, 0)).y()
+            self._area.verticalScrollBar().setValue(top - HEADING)
 
     def _step(self, by: int) -> None:
         """List the unit in hand further up or down."""

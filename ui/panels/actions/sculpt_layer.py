@@ -69,7 +69,7 @@ class SculptLayerBox(QWidget):
             amounts = {each.amount for each in layers.values()} or {1.0}
             self.amount.set_value(100 * max(amounts), mixed=len(amounts) > 1)
         moved = farthest(project, unit) if unit is not None and layers else 0.0
-        self.told.setText(f"Moves the skin up to {moved:.1f} mm, whatever is solved below." if layers else NOTHING)
+        self.told.setText(f"Moves the skin up to {moved:.1f} mm at 1." if layers else NOTHING)
 
     def target_menu(self) -> QMenu:
         """A menu of the units that the layer can be copied to."""

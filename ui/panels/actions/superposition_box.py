@@ -16,6 +16,7 @@ NOTHING = 1e-3
 """Millimetres; what is nearer than a thousandth is rounding."""
 
 STEPS = 1000
+IDLE = "Checks what the face shows; a double click on an expression shows that."
 
 
 class SuperpositionBox(QWidget):
@@ -76,7 +77,7 @@ class SuperpositionBox(QWidget):
         elif found is not None:
             self._say(told(found))
         else:
-            self._say(self._check.failure)
+            self._say(self._check.failure or IDLE)
         self.draw.setVisible(found is not None and found.largest >= NOTHING)
 
     def _say(self, text: str) -> None:
