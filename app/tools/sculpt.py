@@ -189,6 +189,8 @@ class SculptTool(Tool):
         unit = unit_in_hand(document.project, self.bench.view.state)
         if unit is None:
             raise UnitError("There is no action unit in hand to sculpt; choose one in the list.")
+        if self.bench.view.state.before:
+            raise FaceError("The face is shown as it was before the last solve; show it as it is now to sculpt it.")
         if document.solved is None or document.stale_fields & set(unit.fields):
             raise FaceError(f"Action unit {unit.number} is not solved as it is now; sculpt it when the solve is over.")
         return unit, document.solved.basis

@@ -177,6 +177,10 @@ def test_what_cannot_be_sculpted_is_told_and_nothing_happens(box: ToolBox, docum
     document.edit(replace(document.project, units=(*document.project.units[:2], unit, document.project.units[3])), "x")
     sculpt(box, (0, 0))
     assert "not solved" in told[-1]
+    document.undo()
+    box.bench.view.change(before=True)
+    sculpt(box, (0, 0))
+    assert "before the last solve" in told[-1]
     assert not box.busy
 
 

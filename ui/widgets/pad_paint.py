@@ -50,7 +50,7 @@ def paint_pad(pad: BlendPad, carried: tuple[str, QPointF] | None) -> None:
         _paint_pointer(painter, pad.spot(pad.pointer), pad.meant, theme)
     elif carried is None:
         painter.setPen(QColor(theme.muted))
-        painter.drawText(area.adjusted(0, 0, 0, -KNOB * 2), Qt.AlignmentFlag.AlignCenter, EMPTY)
+        painter.drawText(area.adjusted(0, 2 * KNOB, 0, 0), Qt.AlignmentFlag.AlignHCenter, EMPTY)
     if pad.hasFocus():
         painter.setPen(QPen(QColor(theme.accent), 1.0))
         painter.setBrush(Qt.BrushStyle.NoBrush)

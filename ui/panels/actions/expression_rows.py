@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, QRect, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPainterPath
+from PySide6.QtGui import QColor, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPainterPath, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QListWidget,
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from ui.theme.apply import current_theme, interface_font
 from ui.theme.colour import blend
 from ui.theme.metrics import GRID, RADIUS, SMALL_TYPE
+from ui.widgets.empty_view import paint_empty
 from ui.widgets.portrait_paint import paint_portrait
 from ui.widgets.row_drag import Drop, RowDrag
 
@@ -32,6 +33,7 @@ SHOWN = Qt.ItemDataRole.UserRole + 4
 PLACED = Qt.ItemDataRole.UserRole + 5
 """Whether it lies on the pad."""
 
+EMPTY = "No expression yet. Move some sliders, then keep them with the plus below."
 ROW_HEIGHT = 48
 PICTURE = QSize(40, 44)
 TEXT_LEFT = PICTURE.width() + 2 * GRID
@@ -150,6 +152,12 @@ class ExpressionRows(RowDrag, QListWidget):
         super().mouseReleaseEvent(event)
         if dragged is not None and not self.viewport().rect().contains(place):
             self.carried_off.emit(dragged, self.viewport().mapToGlobal(place))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The rows, or what to do to have some."""
+        super().paintEvent(event)
+        if not self.count():
+            paint_empty(self, EMPTY)
 
     def row_at(self, place: QPoint) -> object:
         """The name of the expression at a place."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QPainter
+from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QStyle,
@@ -24,6 +24,7 @@ from ui.panels.unit_text import muscle_titles, unit_matches, unit_title
 from ui.theme.apply import current_theme, interface_font
 from ui.theme.colour import blend
 from ui.theme.metrics import GRID, ROW, SMALL_TYPE
+from ui.widgets.empty_view import paint_empty
 from ui.widgets.row_drag import Drop, RowDrag
 from ui.widgets.sculpted_mark import paint_sculpted
 
@@ -39,6 +40,8 @@ WEIGHT = Qt.ItemDataRole.UserRole + 4
 
 SCULPTED = Qt.ItemDataRole.UserRole + 5
 """Whether somebody has sculpted a unit."""
+
+NO_UNITS = "No action unit yet. Make one with the plus above, or fill all of them from the FACS table."
 
 NUMBER_WIDTH = 4 * GRID
 STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
@@ -182,6 +185,12 @@ class UnitList(RowDrag, QTreeWidget):
             self.renamed.emit()
         else:
             super().keyPressEvent(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The rows, or what to do to have some."""
+        super().paintEvent(event)
+        if not self._document.project.units:
+            paint_empty(self, NO_UNITS)
 
     def leaveEvent(self, event: object) -> None:
         """Nothing is under the pointer any more."""
