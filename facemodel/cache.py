@@ -22,7 +22,7 @@ from facemodel.display import DisplaySurface
 from facemodel.project import Project
 from facemodel.solve import Progress, Solution, silent, solve_project
 
-METHOD = "2"
+METHOD = "3"
 """Raise this when the same project would be solved to other fields, so that old entries are not found."""
 
 KEPT = 16

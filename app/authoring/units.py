@@ -1,4 +1,4 @@
-"""Action units: make, name, weigh, split, merge and delete them, with the weights that hang on them."""
+"""Action units: make, name, weigh, split and delete them, with the weights that hang on them."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ def check_activation(project: Project, muscle: str, weight: float) -> None:
     if weight < 0 and not lets_go:
         raise UnitError(f"The activation of {muscle} is {weight:g}, but a muscle only pulls; choose 0 or more.")
     least = -LARGEST_ACTIVATION if lets_go else 0.0
-    _check_range(f"The activation of {muscle}", weight, least, LARGEST_ACTIVATION, "")
+    check_range(f"The activation of {muscle}", weight, least, LARGEST_ACTIVATION, "")
 
 
 def with_jaw(project: Project, number: int, degrees: float, slide: float = 0.0, side: float = 0.0) -> Project:
@@ -152,9 +152,9 @@ def with_jaw(project: Project, number: int, degrees: float, slide: float = 0.0, 
         If one of the numbers is out of range.
     """
     unit = unit_of(project, number)
-    _check_range("The opening of the jaw", degrees, -WIDEST, WIDEST, "°")
-    _check_range("The slide of the jaw", slide, -FARTHEST, FARTHEST, " mm")
-    _check_range("The shift of the jaw", side, -FARTHEST, FARTHEST, " mm")
+    check_range("The opening of the jaw", degrees, -WIDEST, WIDEST, "°")
+    check_range("The slide of the jaw", slide, -FARTHEST, FARTHEST, " mm")
+    check_range("The shift of the jaw", side, -FARTHEST, FARTHEST, " mm")
     return with_unit(project, replace(unit, jaw=JawMotion(float(degrees), float(slide), float(side)) or None))
 
 
@@ -174,7 +174,7 @@ def with_limit(project: Project, number: int, limit: float) -> Project:
         If the limit is not a number from `SMALLEST_LIMIT` to the largest weight there is.
     """
     unit = unit_of(project, number)
-    _check_range("The limit", limit, SMALLEST_LIMIT, EXAGGERATED, "")
+    check_range("The limit", limit, SMALLEST_LIMIT, EXAGGERATED, "")
     own = set(unit.fields)
     expression = {name: min(each, limit) if name in own else each for name, each in project.expression.items()}
     return with_unit(replace(project, expression=expression), replace(unit, limit=float(limit)))
@@ -239,42 +239,6 @@ def _times(jaw: JawMotion | None, factor: float) -> JawMotion | None:
     return replace(jaw, degrees=min(max(factor * jaw.degrees, -WIDEST), WIDEST), slide=factor * jaw.slide)
 
 
-def merged(project: Project, number: int, other: int, own: float = 1.0, share: float = 1.0) -> Project:
-    """A project in which one unit does what two did; it keeps the number and name of the first.
-
-    In expression and emotions it has the larger weight of both.
-
-    Parameters
-    ----------
-    own, share : how much of the first and of the other one goes into it, 0 to `EXAGGERATED`; 1 is all of it
-
-    Raises
-    ------
-    UnitError
-        If both are the same, only one of them has left and right, or a share is out of range.
-    """
-    for each, part in ((number, own), (other, share)):
-        _check_range(f"The share of action unit {each}", part, 0.0, EXAGGERATED, "")
-    first, second = unit_of(project, number), unit_of(project, other)
-    if number == other:
-        raise UnitError(f"Action unit {number} cannot be merged with itself; choose another one.")
-    if first.paired != second.paired:
-        raise UnitError(f"Only one of action units {number} and {other} has left and right; split or join one first.")
-    names = {**first.muscles, **second.muscles}
-    sums = {name: own * first.muscles.get(name, 0.0) + share * second.muscles.get(name, 0.0) for name in names}
-    jaws = [(unit.jaw, part) for unit, part in ((first, own), (second, share)) if unit.jaw and part]
-    names_of = ("degrees", "slide", "side")
-    jaw = JawMotion(*(sum(getattr(each, name) * part for each, part in jaws) for name in names_of))
-    both = replace(
-        first,
-        muscles={name: total for name, total in sums.items() if total},
-        jaw=jaw or None,
-        amplitude=max(own * first.amplitude, share * second.amplitude),
-    )
-    fields = dict(zip(second.fields, both.fields, strict=True))
-    return refielded(project, {number: both, other: None}, lambda name: fields.get(name, name))
-
-
 def without_units(project: Project, numbers: Collection[int]) -> Project:
     """A project without some units; expression and emotions let go of their weights."""
     gone = {field for number in numbers for field in unit_of(project, number).fields}
@@ -294,6 +258,7 @@ def with_unit(project: Project, unit: ActionUnit) -> Project:
     return replace(project, units=tuple(unit if each.number == unit.number else each for each in project.units))
 
 
-def _check_range(what: str, value: float, least: float, most: float, unit: str) -> None:
+def check_range(what: str, value: float, least: float, most: float, unit: str) -> None:
+    """See that a number is within a range; raises `UnitError` with what it is, and its unit, otherwise."""
     if not (math.isfinite(value) and least <= value <= most):
         raise UnitError(f"{what} is {value:g}{unit}; choose a number from {least:g} to {most:g}{unit}.")

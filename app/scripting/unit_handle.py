@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from app.authoring import intensities, units
+from app.authoring.merging import merged
 from app.authoring.mirroring import mirrored_unit
 from app.intensity import letter_of, weight_of
 from app.scripting.desk import ScriptDesk
@@ -162,7 +163,7 @@ class UnitHandle:
     def merge(self, other: UnitHandle | int, own: float = 1.0, share: float = 1.0) -> None:
         """Do so much of its own, and of what another unit does, in place of both."""
         number = other if isinstance(other, int) else other.number
-        self._do(partial(units.merged, number=self._number, other=number, own=own, share=share), "Merge")
+        self._do(partial(merged, number=self._number, other=number, own=own, share=share), "Merge")
 
     def move(self, place: int) -> None:
         """Put it at another place of the list, counted from 0."""

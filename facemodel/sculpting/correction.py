@@ -64,8 +64,11 @@ NOTHING = Correction(np.zeros(0, dtype=np.int64), np.zeros((0, 3), dtype=np.floa
 
 
 def correction_of(moved: FloatArray, like: Correction = NOTHING) -> Correction:
-    """The correction of displacements (N, 3) of all vertices, with amount and switch of another one."""
-    whole = moved.astype(np.float32)
+    """The correction of displacements (N, 3) of all vertices, with amount and switch of another one.
+
+    What would go farther than `FARTHEST` in a coordinate stops there.
+    """
+    whole = np.clip(moved, -FARTHEST, FARTHEST).astype(np.float32)
     vertices = np.flatnonzero(whole.any(axis=1))
     return replace(like, vertices=vertices, moved=whole[vertices])
 

@@ -8,6 +8,7 @@ import pytest
 from app.authoring import emotions, units
 from app.authoring.bare import bare_project
 from app.authoring.facs_table import filled_from_facs
+from app.authoring.merging import merged
 from app.document import Document
 from app.errors import UnitError
 from facemodel.actions import Emotion, JawMotion, resolve
@@ -105,7 +106,7 @@ def test_a_split_unit_moves_as_before_when_both_sides_move(project: Project) -> 
 
 def test_a_merged_unit_does_what_both_did(project: Project) -> None:
     posed = project.posed({"12L": 0.3, "20L": 0.6, "20R": 0.2})
-    made = units.merged(posed, 12, 20)
+    made = merged(posed, 12, 20)
     assert [unit.number for unit in made.units] == [12, 17, 26]
     assert made.expression == {"12L": 0.6, "12R": 0.2}
     assert dict(made.emotions[1].weights) == {"26": 0.8, "12L": 0.1}
@@ -115,12 +116,12 @@ def test_a_merged_unit_does_what_both_did(project: Project) -> None:
 
 
 def test_merging_adds_up_the_jaw(project: Project) -> None:
-    made = units.merged(units.with_jaw(project, 17, 5.0, 1.0), 26, 17)
+    made = merged(units.with_jaw(project, 17, 5.0, 1.0), 26, 17)
     assert units.unit_of(made, 26).jaw == JawMotion(20.0, 4.0)
     with pytest.raises(UnitError, match="itself"):
-        units.merged(project, 12, 12)
+        merged(project, 12, 12)
     with pytest.raises(UnitError, match="left and right"):
-        units.merged(project, 12, 17)
+        merged(project, 12, 17)
 
 
 def test_a_deleted_unit_leaves_expression_and_emotions(project: Project) -> None:
@@ -235,7 +236,7 @@ def test_a_bare_copy_has_the_head_and_nothing_else() -> None:
 
 
 def test_every_emotion_still_names_what_there_is_after_all_of_it(project: Project) -> None:
-    made = units.merged(units.joined(units.split(project, 17), 12), 26, 12)
+    made = merged(units.joined(units.split(project, 17), 12), 26, 12)
     for emotion in made.emotions:
         for name in emotion.weights:
             resolve(name, made.units)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from app.authoring import emotions, pad, sculpting, units
+from app.authoring.merging import merged
 from app.authoring.mirroring import mirrored_unit
 from app.commands import ReplaceProject
 from app.commands.corrections import set_corrections
@@ -148,7 +149,7 @@ class Hands:
         if len(self.project.units) > 6:
             ways = [
                 lambda: units.without_units(self.project, [number]),
-                lambda: units.merged(self.project, number, self.project.units[0].number),
+                lambda: merged(self.project, number, self.project.units[0].number),
             ]
         self.document.edit(self.one_of(ways)(), "Change units")  # type: ignore[operator]
 

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.authoring import sculpting, units
+from app.authoring.merging import merged
 from app.errors import UnitError
 from facemodel.errors import UnknownNameError
 from facemodel.io.project_file import project_bytes, project_of
@@ -105,7 +106,7 @@ def test_whatever_is_done_the_project_can_be_saved_and_names_only_fields_there_a
         "clear": lambda p: sculpting.cleared(p, 17),
         "duplicate": lambda p: units.with_duplicate(p, 12)[0],
         "split": lambda p: units.split(p, 17),
-        "merge": lambda p: units.merged(p, 12, 20),
+        "merge": lambda p: merged(p, 12, 20),
     }
     for deed in deeds:
         try:
@@ -116,3 +117,10 @@ def test_whatever_is_done_the_project_can_be_saved_and_names_only_fields_there_a
     assert list(read.corrections) == list(made.corrections)
     for name, each in made.corrections.items():
         assert np.array_equal(read.corrections[name].moved, each.moved)
+
+
+def test_a_merged_unit_has_what_is_sculpted_on_both_in_their_shares(sculpted: Project) -> None:
+    other = sculpting.copied_to(sculpted, 17, 20)
+    made = merged(other, 12, 20, 1.0, 0.5)
+    np.testing.assert_allclose(total(made, 12), total(other, 12) + total(other, 20) / 2, atol=1e-6)
+    assert set(made.corrections) == {"12L", "12R", "17"}

@@ -5,6 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.authoring import units
+from app.authoring.merging import merged
 from app.authoring.ordering import listed, placed, stepped
 from app.errors import UnitError
 from facemodel.actions import GROUP_TITLES
@@ -55,14 +56,14 @@ def test_steps_down_lead_through_every_group_and_back(listing: Project) -> None:
 
 @pytest.mark.parametrize(("own", "share"), [(1.0, 0.5), (0.25, 2.0), (0.0, 1.0)])
 def test_a_merged_unit_does_so_much_of_both(project: Project, own: float, share: float) -> None:
-    apart, one = solve_project(project).basis, solve_project(units.merged(project, 12, 20, own, share)).basis
+    apart, one = solve_project(project).basis, solve_project(merged(project, 12, 20, own, share)).basis
     summed = own * apart.field("12L") + share * apart.field("20L")
     assert one.field("12L") == pytest.approx(summed, abs=1e-4 * float(abs(summed).max()))
 
 
 def test_a_share_is_never_negative(project: Project) -> None:
     with pytest.raises(UnitError, match="share of action unit 20"):
-        units.merged(project, 12, 20, 1.0, -0.5)
+        merged(project, 12, 20, 1.0, -0.5)
 
 
 def test_a_muscle_only_pulls(project: Project) -> None:

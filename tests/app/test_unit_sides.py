@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from app.authoring import units
+from app.authoring.merging import merged
 from app.authoring.mirroring import mirrored_unit
 from app.errors import UnitError
 from app.sides import both_sides
@@ -90,7 +91,7 @@ def test_a_shift_of_the_jaw_is_kept_in_files_and_old_files_do_not_know_it(swayin
 
 
 def test_merging_adds_up_where_the_jaw_goes(swaying: Project) -> None:
-    made = units.merged(swaying, 26, 30, 1.0, 0.5)
+    made = merged(swaying, 26, 30, 1.0, 0.5)
     assert units.unit_of(made, 26).jaw == JawMotion(16.0, 3.5, -3.0)
 
 

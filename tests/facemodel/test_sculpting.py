@@ -303,6 +303,7 @@ def test_corrections_mirror_join_and_split_without_loss(project: Project) -> Non
     np.testing.assert_allclose(both.moved, 1.5 * layer.moved, rtol=1e-5)
     chin = project.units[2]
     assert not chin.paired
+    assert joined(replace(layer, moved=layer.moved * 90), replace(layer, moved=layer.moved * 90), count).largest < 180
     sides = halved({"17": layer}, replace(chin, paired=True), project.face.skin)
     np.testing.assert_allclose(summed(sides, ("17L", "17R"), count)[layer.vertices], layer.moved, atol=1e-6)
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 from app.actions.action import Action
 from app.actions.context import Context
 from app.authoring.facs_table import filled_from_facs
+from app.authoring.merging import merged
 from app.authoring.ordering import listed, placed, stepped
 from app.authoring.units import (
     joined,
-    merged,
     split,
     unit_of,
     with_duplicate,
