@@ -80,7 +80,8 @@ class BlendPad(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setAccessibleName("Pad that blends between expressions")
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.setMaximumHeight(self.sizeHint().height())
 
     def show_knots(self, knots: Sequence[Knot]) -> None:
         """Show other knots."""
@@ -218,6 +219,10 @@ class BlendPad(QWidget):
     def sizeHint(self) -> QSize:
         """Wider than high, as the panel is."""
         return QSize(38 * GRID, 30 * GRID)
+
+    def minimumSizeHint(self) -> QSize:
+        """Room for two knots one above the other."""
+        return QSize(20 * GRID, 16 * GRID)
 
     def _point(self, at: QPointF) -> None:
         self.pointed.emit(*self._place(at))

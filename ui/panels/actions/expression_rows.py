@@ -115,6 +115,7 @@ class ExpressionRows(RowDrag, QListWidget):
         self.setAccessibleName("Expressions")
         self.setItemDelegate(ExpressionCells(self))
         self.setMouseTracking(True)
+        self.setMinimumHeight(2 * ROW_HEIGHT)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
