@@ -75,8 +75,8 @@ class SuperpositionCheck:
         """
         asked = posed(self._document, self._view.state)
         self.found, self.failure, self.step = None, "", ("Checking", 0.0)
-        self.changed.emit()
         self.job.request(asked)
+        self.changed.emit()
 
     def cancel(self) -> None:
         """Stop checking."""
