@@ -98,15 +98,24 @@ def drafted_muscle(
     )
 
 
+def jaw_muscle(project: Project) -> Muscle:
+    """The force of an opening jaw as a new muscle: it needs nothing but the jaw's axis."""
+    return drafted_muscle(project, "Jaw force", "chin", model="jaw")
+
+
 def with_muscle(project: Project, muscle: Muscle) -> Project:
     """A project with a new muscle, or with a changed one in place; its linked partner follows.
 
     Raises
     ------
     MuscleError
-        If the muscle cannot be used as it lies.
+        If the muscle, or the partner that follows, cannot be used as it lies.
     """
-    return replace(project, muscles=put(project.muscles, checked(muscle, project.face), project.face))
+    muscles = put(project.muscles, checked(muscle, project.face), project.face)
+    other = partner(muscles, muscle)
+    if other is not None and all(other is not each for each in project.muscles):
+        checked(other, project.face)
+    return replace(project, muscles=muscles)
 
 
 def renamed(project: Project, name: str, to: str) -> Project:

@@ -73,6 +73,20 @@ def removed_fibre(muscle: Muscle, number: int) -> Muscle:
     return replace(muscle, fibres=(*muscle.fibres[:number], *muscle.fibres[number + 1 :]))
 
 
+def reordered(muscle: Muscle, number: int, to: int) -> Muscle:
+    """A muscle with one of its central fibres at another place in the order in which the fan goes through them.
+
+    Raises
+    ------
+    MuscleError
+        If there is no such fibre.
+    """
+    fibre = fibre_of(muscle, number)
+    left = [*muscle.fibres[:number], *muscle.fibres[number + 1 :]]
+    left.insert(min(max(to, 0), len(left)), fibre)
+    return replace(muscle, fibres=tuple(left))
+
+
 def bent(muscle: Muscle, number: int, point: FloatArray) -> tuple[Muscle, int]:
     """A muscle with an intermediate point (3,) more in a fibre, between the two points that it lies nearest to.
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from facemodel.face import Face
-from facemodel.laying.places import Kind, kind_of_place, nearest_foot, on_bone, on_skin
+from facemodel.laying.places import Kind, kind_of_place, settled
 from facemodel.laying.sides import mirrored, partner
 from facemodel.laying.warp import Warp, control_points, landmark_warp
 from facemodel.muscles import Fibre, Muscle, Sphincter
@@ -68,18 +68,7 @@ def _fitted_fibre(fibre: Fibre, warp: Warp, target: Face, source: Face | None) -
     if source is not None:
         kinds = kind_of_place(source, fibre.origin)[0], kind_of_place(source, fibre.attachment)[0]
     moved = warp(fibre.points)
-    return Fibre(_settled(moved[0], kinds[0], target), _settled(moved[-1], kinds[1], target), tuple(moved[1:-1]))
-
-
-def _settled(point: FloatArray, kind: Kind, face: Face) -> FloatArray:
-    """The place (3,) of a kind that is nearest to a point."""
-    if kind == "vertex":
-        return on_skin(face, point, "vertex")
-    if kind == "foot":
-        return nearest_foot(face, point)
-    if kind == "skin":
-        return on_skin(face, point, "surface")
-    return on_bone(face, point, "surface") if kind == "bone" else np.array(point)
+    return Fibre(settled(target, moved[0], kinds[0]), settled(target, moved[-1], kinds[1]), tuple(moved[1:-1]))
 
 
 def _fitted_ring(ring: Sphincter, warp: Warp) -> Sphincter:

@@ -116,13 +116,40 @@ def mirrored_place(face: Face, point: FloatArray) -> FloatArray:
     """The same place (3,) on the other side of a face.
 
     A point on a vertex of the skin, or on the bone under one, goes to that of the mirrored vertex, so that it
-    is right on a face that is not quite symmetric; another point is reflected in the middle plane.
+    is right on a face that is not quite symmetric; another point is reflected in the middle plane.  On a face that
+    does not know which vertices mirror each other every point is reflected, and what lay on skin or bone is put back
+    on it.
     """
     kind, vertex = kind_of_place(face, point)
+    if knows_mirror(face):
+        if kind == "vertex":
+            return np.array(face.skin.positions[face.mirror[vertex]])
+        if kind == "foot":
+            return np.array(face.skull.anchors[face.mirror[vertex]])
+        return _reflected(face, point)
+    return settled(face, _reflected(face, point), kind)
+
+
+@lru_cache(maxsize=16)
+def knows_mirror(face: Face) -> bool:
+    """Whether a face knows the vertex across the midline of every vertex of its skin."""
+    own = np.arange(len(face.skin.positions))
+    paired = len(face.mirror) == len(own) and np.array_equal(face.mirror[face.mirror], own)
+    return bool(paired and (face.mirror != own).any())
+
+
+def settled(face: Face, point: FloatArray, kind: Kind) -> FloatArray:
+    """The place (3,) of a kind that is nearest to a point."""
     if kind == "vertex":
-        return np.array(face.skin.positions[face.mirror[vertex]])
+        return on_skin(face, point, "vertex")
     if kind == "foot":
-        return np.array(face.skull.anchors[face.mirror[vertex]])
+        return nearest_foot(face, point)
+    if kind == "skin":
+        return on_skin(face, point, "surface")
+    return on_bone(face, point, "surface") if kind == "bone" else np.array(point)
+
+
+def _reflected(face: Face, point: FloatArray) -> FloatArray:
     middle, across = middle_plane(face)
     return np.asarray(point - 2 * ((point - middle) @ across) * across)
 
@@ -135,8 +162,13 @@ def mirrored_vector(face: Face, vector: FloatArray) -> FloatArray:
 
 @lru_cache(maxsize=16)
 def middle_plane(face: Face) -> tuple[FloatArray, FloatArray]:
-    """A point (3,) and the unit normal (3,), to the subject's left, of the plane between mirrored vertices."""
+    """A point (3,) and the unit normal (3,), to the subject's left, of the plane between mirrored vertices.
+
+    Where a face does not know them the plane lies between its eyes, or in the middle of its skin.
+    """
     skin = face.skin.positions
+    if not knows_mirror(face):
+        return _plane_between_eyes(face)
     apart = skin - skin[face.mirror]
     left = apart[:, 0] > 0
     across = apart[left].sum(axis=0) if left.any() else np.array([1.0, 0.0, 0.0])
@@ -144,6 +176,15 @@ def middle_plane(face: Face) -> tuple[FloatArray, FloatArray]:
     across /= np.linalg.norm(across)
     height = float(((skin + skin[face.mirror]) @ across).mean() / 2)
     return (0.0 if abs(height) < SNAPPED else height) * across, across
+
+
+def _plane_between_eyes(face: Face) -> tuple[FloatArray, FloatArray]:
+    centres = {eye.side: eye.centre for eye in face.eyes}
+    if centres.keys() >= {"L", "R"}:
+        across = (centres["L"] - centres["R"]) / np.linalg.norm(centres["L"] - centres["R"])
+        return (centres["L"] + centres["R"]) / 2, across
+    middle = (face.skin.positions.min(axis=0) + face.skin.positions.max(axis=0)) / 2
+    return middle * [1.0, 0.0, 0.0], np.array([1.0, 0.0, 0.0])
 
 
 @lru_cache(maxsize=16)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Literal
 
@@ -13,6 +14,18 @@ from facemodel.muscles import Muscle, Sphincter
 from fem.types import FloatArray
 
 Axis = Literal["long", "short"]
+
+Sector = Literal["whole", "left", "right", "up", "down"]
+"""How much of a ring there is: all of it, or the half towards the subject's left or right, or upward or downward."""
+
+SECTORS: Mapping[Sector, tuple[float, float]] = {
+    "whole": (0.0, 0.0),
+    "left": (1.0, 0.0),
+    "right": (-1.0, 0.0),
+    "up": (0.0, 1.0),
+    "down": (0.0, -1.0),
+}
+"""Where the halves lie, along the long and the short axis of a ring as it is laid."""
 
 TOO_SHORT = 1e-6
 """Millimetres below which a drag has no direction."""
@@ -52,6 +65,13 @@ def ring_of(muscle: Muscle) -> Sphincter:
     return muscle.ring
 
 
+def frame_of(ring: Sphincter) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """The half axes (3,) of a ring, and its outward normal as long as the short one."""
+    out = np.cross(ring.long_axis, ring.short_axis)
+    height = float(np.linalg.norm(ring.short_axis))
+    return ring.long_axis, ring.short_axis, out * height / max(float(np.linalg.norm(out)), TOO_SHORT)
+
+
 def with_centre(muscle: Muscle, point: FloatArray) -> Muscle:
     """A muscle with its ring about another centre (3,), in the same size and direction."""
     return replace(muscle, ring=replace(ring_of(muscle), centre=np.array(point, dtype=np.float64)))
@@ -74,6 +94,48 @@ def with_axis(muscle: Muscle, axis: Axis, tip: FloatArray) -> Muscle:
     if axis == "long":
         return replace(muscle, ring=replace(ring, long_axis=new, short_axis=turned))
     return replace(muscle, ring=replace(ring, long_axis=turned, short_axis=new))
+
+
+def with_length(muscle: Muscle, axis: Axis, length: float) -> Muscle:
+    """A muscle with one half axis of its ring of another length, millimetres, in the same direction.
+
+    Raises
+    ------
+    MuscleError
+        If it has no ring, or the length is not positive.
+    """
+    ring = ring_of(muscle)
+    if not length > TOO_SHORT:
+        raise MuscleError(f"The ring of “{muscle.key}” cannot be as thin as that; give its half axis a length.")
+    old = ring.long_axis if axis == "long" else ring.short_axis
+    return with_axis(muscle, axis, ring.centre + length / max(float(np.linalg.norm(old)), TOO_SHORT) * old)
+
+
+def with_sector(muscle: Muscle, sector: Sector) -> Muscle:
+    """A muscle with the whole of its ring, or one half of it."""
+    ring = ring_of(muscle)
+    along, up, _ = frame_of(ring)
+    # A ring may be laid with its long axis to either side.
+    left = along if along[0] >= 0 else -along
+    share = SECTORS[sector]
+    return replace(muscle, ring=replace(ring, sector=share[0] * _unit(left) + share[1] * _unit(up)))
+
+
+def sector_of(muscle: Muscle) -> Sector:
+    """How much of its ring a muscle is made of."""
+    ring = ring_of(muscle)
+    if not ring.sector.any():
+        return "whole"
+    alike = {name: float(_sector(muscle, name) @ ring.sector) for name in SECTORS}
+    return max(alike, key=lambda name: alike[name])
+
+
+def _sector(muscle: Muscle, name: Sector) -> FloatArray:
+    return ring_of(with_sector(muscle, name)).sector
+
+
+def _unit(vector: FloatArray) -> FloatArray:
+    return np.asarray(vector / max(float(np.linalg.norm(vector)), TOO_SHORT))
 
 
 def _carried(before: FloatArray, after: FloatArray, other: FloatArray) -> FloatArray:

@@ -17,9 +17,20 @@ def jaw_force(muscle: Muscle, face: Face) -> FloatArray:
     is that at the lower incisors, so that it compares with other muscles.  The vertices that form the jaw
     carry the mandible's share of the bone beneath them, where the paper picks them by hand.
     """
-    jaw = face.skull.jaw
-    right, left = jaw.axis
-    axis = (left - right) / np.linalg.norm(left - right)
-    reach = np.linalg.norm(np.cross(axis, jaw.teeth - right))
+    right, axis = _hinge(face)
+    reach = np.linalg.norm(np.cross(axis, face.skull.jaw.teeth - right))
     turn = np.cross(axis, face.skin.positions - right)
     return np.asarray(muscle.strength / reach * face.skull.jawbone[:, None] * turn)
+
+
+def opening_at_teeth(face: Face) -> FloatArray:
+    """Unit vector (3,) along which the lower incisors begin to go when the jaw opens."""
+    right, axis = _hinge(face)
+    way = np.cross(axis, face.skull.jaw.teeth - right)
+    return np.asarray(way / np.linalg.norm(way))
+
+
+def _hinge(face: Face) -> tuple[FloatArray, FloatArray]:
+    """A point (3,) of the jaw's axis, and the unit vector (3,) along it to the subject's left."""
+    right, left = face.skull.jaw.axis
+    return right, (left - right) / np.linalg.norm(left - right)

@@ -14,15 +14,17 @@ from facemodel.laying.fibres import (
     bent,
     laid_fibre,
     removed_fibre,
+    reordered,
     with_end,
     with_via,
     without_via,
 )
 from facemodel.laying.handles import Handle, dragged, handles
 from facemodel.laying.places import kind_of_place, nearest
-from facemodel.laying.rings import laid_ring, with_axis, with_centre
+from facemodel.laying.rings import laid_ring, sector_of, with_axis, with_centre, with_length, with_sector
 from facemodel.muscles import Fibre, Muscle, Sphincter
 from facemodel.muscles.models import MODELS
+from facemodel.muscles.mouth import PROFILES
 from facemodel.project import Project
 from fem.types import FloatArray
 from tests.facemodel.skin import by, fibre_muscle, ring_muscle
@@ -188,8 +190,71 @@ def test_a_box_handle_sets_one_side_of_the_box(project: Project) -> None:
     assert changed.cosine.box == pytest.approx([muscle.width, 17.0, muscle.width])
 
 
-def test_the_jaw_has_no_handles_of_its_own(face: Face) -> None:
+def test_a_central_fibre_takes_another_place_in_the_fan() -> None:
+    muscle = fibre_muscle(ROW)
+    turned = reordered(muscle, 0, 2)
+    assert [float(fibre.origin[1]) for fibre in turned.fibres] == [4.0, 8.0, 0.0]
+    assert identical(reordered(turned, 2, 0), muscle)
+    assert identical(reordered(muscle, 0, -5), muscle), "there is nothing before the first"
+
+
+def test_a_half_axis_takes_a_length_and_a_ring_a_half() -> None:
+    muscle = ring_muscle(FLAT_RING)
+    longer = with_length(muscle, "long", 24.0)
+    assert longer.ring is not None
+    assert longer.ring.long_axis == pytest.approx([24.0, 0, 0])
+    assert np.array_equal(longer.ring.short_axis, FLAT_RING.short_axis)
+    with pytest.raises(MuscleError, match="as thin as that"):
+        with_length(muscle, "short", 0.0)
+    for name, way in (("left", [1, 0, 0]), ("right", [-1, 0, 0]), ("up", [0, 1, 0]), ("down", [0, -1, 0])):
+        half = with_sector(muscle, name)  # type: ignore[arg-type]
+        assert half.ring is not None
+        assert half.ring.sector == pytest.approx(way)
+        assert sector_of(half) == name
+    assert sector_of(with_sector(muscle, "whole")) == "whole"
+
+
+def test_the_reach_of_a_mouth_draws_both_profiles_out(project: Project) -> None:
+    face, muscle = project.face, of_model(project, "mouth")
+    ring = muscle.ring
+    assert ring is not None
+    (reach,) = [handle for handle in handles(muscle, face) if handle.part == "reach"]
+    drawn = dragged(muscle, reach, ring.centre + 2.5 * ring.long_axis, face)
+    assert drawn.profiles is not None
+    assert drawn.profiles.sigma.at[-1] == drawn.profiles.tau.at[-1] == pytest.approx(2.5)
+    assert drawn.profiles.sigma.values == PROFILES.sigma.values
+    far = dragged(muscle, reach, ring.centre + 9.0 * ring.long_axis, face)
+    assert far.profiles is not None
+    assert far.profiles.sigma.at[-1] == pytest.approx(3.0), "no further than a profile can be drawn"
+
+
+def test_a_share_handle_is_where_the_attachment_goes(project: Project) -> None:
+    face, muscle = project.face, of_model(project, "cosine")
+    (share,) = [handle for handle in handles(muscle, face) if handle.part == "share"]
+    fibre = muscle.fibres[0]
+    half = dragged(muscle, share, (fibre.origin + fibre.attachment) / 2, face)
+    assert half.cosine is not None
+    assert half.cosine.share == pytest.approx(0.5)
+
+
+def test_a_factor_handle_is_where_the_tip_of_the_ring_goes(project: Project) -> None:
+    face, muscle = project.face, of_model(project, "cosine_ring")
+    ring = muscle.ring
+    assert ring is not None
+    factors = [handle for handle in handles(muscle, face) if handle.part == "factor"]
+    assert [handle.place for handle in factors] == [0, 1, 2]
+    wider = dragged(muscle, factors[0], ring.centre - 1.5 * ring.long_axis, face)
+    assert wider.cosine is not None
+    assert wider.cosine.factors == pytest.approx([-0.5, 0.4, 0.0]), "it widens along the ring and narrows across it"
+
+
+def test_the_arrow_of_the_jaw_is_its_force(face: Face) -> None:
     jaw = Muscle("jaw", "M", "Opening", "chin", "jaw", (), None, 10.0, 1.0, 0.01, 1)
-    assert handles(jaw, face) == ()
+    (arrow,) = handles(jaw, face)
+    assert arrow.part == "force"
+    teeth = face.skull.jaw.teeth
+    stronger = dragged(jaw, arrow, teeth + 2 * (arrow.point - teeth), face)
+    assert stronger.strength == pytest.approx(0.04), "twice as long is four times as strong"
+    assert dragged(jaw, arrow, teeth + by(0, 50.0, 0), face).strength == 0.0, "it only opens"
     with pytest.raises(MuscleError, match="no fibre 1"):
         dragged(jaw, Handle("attachment", np.zeros(3)), np.zeros(3), face)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from facemodel.face import Face
 from facemodel.laying.fibres import bent, with_end
+from facemodel.laying.places import kind_of_place, nearest
 from facemodel.laying.sides import linked, mirrored, partner, put, side_of, unlinked
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import muscle_action
@@ -101,3 +102,21 @@ def test_a_muscle_lies_on_the_side_of_its_ends(face: Face) -> None:
     assert side_of(face, cheek, nose) == "R"
     assert side_of(face, cheek * [-1, 1, 1]) == "L"
     assert side_of(face, nose, nose - by(0.0, 10.0, 10.0)) == "M"
+
+
+def test_on_a_face_without_symmetry_a_mirrored_muscle_still_lies_on_its_skin_and_bone(project: Project) -> None:
+    skin = project.face.skin
+    # One half is stretched, so that no vertex lies across from another, and the mirror map is gone.
+    positions = skin.positions * np.where(skin.positions[:, :1] > 0, [1.15, 1.0, 1.0], [1.0, 1.0, 1.0])
+    face = replace(
+        project.face, skin=replace(skin, positions=positions), mirror=np.arange(len(positions), dtype=np.int64)
+    )
+    muscle = named(project, "zygomaticus_major_R")
+    image = mirrored(muscle, face)
+    assert image.side == "L"
+    for fibre in image.fibres:
+        assert fibre.attachment[0] > 10
+        assert kind_of_place(face, fibre.attachment)[0] == "vertex"
+        assert min(nearest(mesh, fibre.origin)[2][0] for mesh in (face.skull.cranium, face.skull.mandible)) < 0.5, (
+            "on the bone"
+        )
