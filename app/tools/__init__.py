@@ -7,6 +7,7 @@ from app.tools.fill import FillTool
 from app.tools.lasso import LassoTool
 from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
 from app.tools.pointer import Hit, Pointer, Projector, Ray, skin_hit, skull_hit
+from app.tools.ring import RingTool
 from app.tools.sculpt import SculptTool
 from app.tools.sculpt_state import HandSculpt, SculptState
 from app.tools.select import SelectTool
@@ -14,7 +15,18 @@ from app.tools.sight import Ghost, Grip, Ring, Sight, Working
 from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 
-TOOLS = (SelectTool, SculptTool, BrushTool, LassoTool, FillTool, FibreTool, MoveSkull, TurnSkull, ScaleSkull)
+TOOLS = (
+    SelectTool,
+    SculptTool,
+    BrushTool,
+    LassoTool,
+    FillTool,
+    FibreTool,
+    RingTool,
+    MoveSkull,
+    TurnSkull,
+    ScaleSkull,
+)
 """All tools, in the order in which they are shown."""
 
 __all__ = [
@@ -35,6 +47,7 @@ __all__ = [
     "Projector",
     "Ray",
     "Ring",
+    "RingTool",
     "ScaleSkull",
     "SculptState",
     "SculptTool",

@@ -9,7 +9,7 @@ from facemodel.laying.handles import Handle
 from facemodel.muscles import Muscle
 from fem.types import FloatArray
 
-ON_SKIN = ("attachment", "centre", "long", "short", "radius")
+ON_SKIN = ("attachment", "centre", "long", "short", "radius", "reach")
 """Handles that lie on the skin: they are dragged over it, and back to where it is seen after a change of expression."""
 
 SAMPLES = 24
@@ -28,8 +28,13 @@ def handle_distance(pointer: Pointer, handle: Handle) -> float:
     return min(ways, default=float("inf"))
 
 
-def dragged_to(handle: Handle, pointer: Pointer) -> FloatArray | None:
-    """Where (3,) the pointer drags a handle: along bone or skin if it is of them, else in a plane facing the eye."""
+def dragged_to(handle: Handle, pointer: Pointer, free: bool = False) -> FloatArray | None:
+    """Where (3,) the pointer drags a handle: along bone or skin if it is of them, else in a plane facing the eye.
+
+    A handle that is dragged freely is of nothing.
+    """
+    if free:
+        return in_plane(pointer, handle.point)
     if handle.part == "origin":
         return None if pointer.skull is None else pointer.skull.position
     if handle.part == "attachment":

@@ -55,6 +55,14 @@ def nearest(mesh: Mesh, points: FloatArray) -> tuple[FloatArray, IntArray, Float
     return np.reshape(places, (-1, 3)), np.reshape(triangles, -1), np.sqrt(np.reshape(square, -1))
 
 
+def ahead(mesh: Mesh, points: FloatArray, along: FloatArray) -> FloatArray:
+    """Millimetres (n,) from points (n, 3) to a mesh in unit directions (n, 3); infinite where it is not ahead."""
+    start = np.ascontiguousarray(points, dtype=np.float64)
+    ways = np.ascontiguousarray(np.broadcast_to(along, start.shape), dtype=np.float64)
+    met, distance, _ = _tree(mesh).intersect_ray_first(mesh.positions, mesh.triangles, start, ways)
+    return np.where(np.reshape(met, -1) < 0, np.inf, np.reshape(distance, -1))
+
+
 def on_skin(face: Face, point: FloatArray, snap: Snap = "vertex") -> FloatArray:
     """Where on the skin (3,) a point that is dragged to ``point`` (3,) comes to lie."""
     return _snapped(face.skin, point, snap)

@@ -35,6 +35,7 @@ GLYPHS: Mapping[str, str] = {
     "tool.lasso": "lasso",
     "tool.fill": "format-color-fill",
     "tool.fibre": "vector-curve",
+    "tool.ring": "ellipse-outline",
     "tool.move-skull": "cursor-move",
     "tool.turn-skull": "rotate-orbit",
     "tool.scale-skull": "resize",

@@ -6,6 +6,7 @@ from app.tools.brush import BrushTool
 from app.tools.fibre import FibreTool
 from app.tools.fill import FillTool
 from app.tools.lasso import LassoTool
+from app.tools.ring import RingTool
 from app.tools.sculpt import SculptTool
 from app.tools.select import SelectTool
 from app.tools.tool import Tool
@@ -95,7 +96,7 @@ WORKSPACES: tuple[WorkspaceKind, ...] = (
     WorkspaceKind(
         "muscles",
         _muscles_panel,
-        (SelectTool, FibreTool),
+        (SelectTool, FibreTool, RingTool),
         (MusclesInSight, MuscleHandles, FibreGhost),
         _prepare_solver,
     ),

@@ -28,8 +28,8 @@ from ui.panels.muscles.tree_cells import (
     MuscleCells,
 )
 from ui.theme.metrics import GRID
-from ui.viewport.overlays.muscles import GROUPS as GROUPS_SEEN
-from ui.viewport.overlays.muscles import OTHER
+from ui.viewport.overlays.muscle_colours import GROUPS as GROUPS_SEEN
+from ui.viewport.overlays.muscle_colours import OTHER
 
 CHIP = 22
 SIDE_NAMES = {"L": "the subject’s left", "R": "the subject’s right", "M": "across the midline"}
