@@ -106,4 +106,4 @@ def ghost(muscles: tuple[Muscle, ...], face: Face) -> Ghost:
     vectors = along_bone(action, face.skin.normals) if model.action == "force" and model.slides else action
     felt = np.flatnonzero(size > FAINT * most)
     arrows = Arrows(felt, face.skin.positions[felt], vectors[felt], model.action)
-    return Ghost(muscles, size / most, arrows)
+    return Ghost(muscles, size / most, most, arrows)

@@ -55,12 +55,14 @@ class Ghost:
     ----------
     muscles : those that are laid or dragged; with the linked partner
     influence : (N,) 0 to 1, how strongly the first one acts on every vertex of the skin; none while it has no length
+    most : what it does where it does most, N/mm^2, or mm where it displaces
     arrows : its forces
     complaint : why it could not be laid like this; empty if it could
     """
 
     muscles: tuple[Muscle, ...]
     influence: FloatArray | None = None
+    most: float = 0.0
     arrows: Arrows | None = None
     complaint: str = ""
 

@@ -9,8 +9,9 @@ import numpy as np
 
 from facemodel.errors import MuscleError
 from facemodel.face import Face
-from facemodel.laying.places import Snap, on_bone, on_skin
+from facemodel.laying.places import Snap, kind_of_place, on_bone, on_skin, settled
 from facemodel.muscles import Fibre, Muscle
+from facemodel.muscles.curve import SHORTEST
 from facemodel.muscles.quadrilateral import nearest_on_line
 from fem.types import FloatArray
 
@@ -57,6 +58,29 @@ def added_fibre(muscle: Muscle, fibre: Fibre) -> Muscle:
     slots = range(len(muscle.fibres) + 1)
     slot = min(slots, key=lambda k: _detour(ends, new, k)) if len(ends) else 0
     return replace(muscle, fibres=(*muscle.fibres[:slot], fibre, *muscle.fibres[slot:]))
+
+
+def beside(muscle: Muscle, face: Face) -> Muscle:
+    """A muscle with one more central fibre at the end of its fan, a step beside the last.
+
+    Its ends lie on what those of the last one lie on; the step is the one between the last two fibres, or half the width of a muscle that has only one.
+
+    Raises
+    ------
+    MuscleError
+        If it has no fibre to lay one beside.
+    """
+    last = fibre_of(muscle, len(muscle.fibres) - 1)
+    step = _middle(last) - _middle(muscle.fibres[-2]) if len(muscle.fibres) > 1 else np.zeros(3)
+    if np.linalg.norm(step) < SHORTEST:
+        normal = face.skin.normals[face.skin.tree.query(last.attachment)[1]]
+        across = np.cross(normal, last.origin - last.attachment)
+        step = across * (muscle.width / 2) / max(float(np.linalg.norm(across)), SHORTEST)
+    origin, attachment = (
+        settled(face, end + step, kind_of_place(face, end)[0]) for end in (last.origin, last.attachment)
+    )
+    via = tuple(np.asarray(point + step) for point in last.via)
+    return replace(muscle, fibres=(*muscle.fibres, Fibre(origin, attachment, via)))
 
 
 def removed_fibre(muscle: Muscle, number: int) -> Muscle:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from string import Template
 
+from resources import resource
 from ui.theme.colour import blend
 from ui.theme.metrics import ROW, SMALL_TYPE
 from ui.theme.roles import Theme
@@ -47,6 +48,8 @@ QTabBar#parts::tab:selected { color: $text; border-bottom-color: $accent; }
 QTabBar#parts::tab:selected:focus { color: $accent; }
 QTabWidget::pane { border: none; }
 QComboBox { background: $raised; border: 1px solid $line; border-radius: 3px; padding: 0 6px; min-height: ${field}px; }
+QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::down-arrow { image: url("$chevron"); width: 10px; height: 10px; }
 QComboBox:hover { background: $hover; }
 QComboBox:focus { border-color: $accent; }
 QComboBox:disabled { color: $faint; background: $panel; }
@@ -114,6 +117,7 @@ def stylesheet(theme: Theme) -> str:
     """The rules with the colours of a theme."""
     return SHEET.substitute(
         vars(theme),
+        chevron=resource("icons", f"chevron-{theme.name}.svg").as_posix(),
         faint=blend(theme.panel, theme.muted, 0.55).name(),
         chosen=blend(theme.window, theme.accent, 0.32).name(),
         accent_hover=blend(theme.accent, theme.on_accent, 0.14).name(),

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QMouseEvent, QPainter
 
+from ui.theme.metrics import GRID
 from ui.theme.roles import Theme
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
@@ -23,6 +24,10 @@ class CoordinateBar(NumberBar):
 
     def __init__(self, axis: str) -> None:
         super().__init__(axis, NumberScale(-WIDE, WIDE, 0.0))
+
+    def minimumSizeHint(self) -> QSize:
+        """Narrow: three of them stand in one row."""
+        return QSize(7 * GRID, super().minimumSizeHint().height())
 
     def reset(self) -> None:
         """Stay: no place is more usual than another."""

@@ -38,7 +38,6 @@ class NumberEdit(QLineEdit):
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setGeometry(parent.rect())
         self.textEdited.connect(self._forgive)
-        self.returnPressed.connect(self.finish)
         self.selectAll()
         self.show()
         self.setFocus(Qt.FocusReason.PopupFocusReason)
@@ -63,9 +62,13 @@ class NumberEdit(QLineEdit):
             self.dismissed.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc leaves; everything else is typing."""
+        """Enter reports and Esc leaves; everything else is typing."""
         if event.key() == Qt.Key.Key_Escape:
             self.dismiss()
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            # A line edit passes Enter on, and the bar under it would open another one.
+            self.finish()
+            event.accept()
         else:
             super().keyPressEvent(event)
 

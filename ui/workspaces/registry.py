@@ -17,11 +17,12 @@ from ui.panels.muscles.panel import MusclesPanel
 from ui.panels.skull.panel import SkullPanel
 from ui.panels.tissue.panel import TissuePanel
 from ui.viewport.overlays.cursor import BrushRing
-from ui.viewport.overlays.fibre_ghost import FibreGhost, MusclesInSight
+from ui.viewport.overlays.fibre_ghost import FibreGhost
 from ui.viewport.overlays.glyphs import Glyphs
 from ui.viewport.overlays.handles import MuscleHandles
 from ui.viewport.overlays.lasso import LassoOutline, RegionOutlines
 from ui.viewport.overlays.layer import LayerDrawing
+from ui.viewport.overlays.muscles_sight import MusclesInSight
 from ui.viewport.overlays.sculpt_sight import SculptInSight
 from ui.viewport.overlays.skull_sight import SkullInSight
 from ui.viewport.overlays.unit_maps import UnitMaps

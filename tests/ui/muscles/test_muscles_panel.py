@@ -63,6 +63,7 @@ def test_a_number_takes_a_sum_changes_both_sides_and_undo_is_exact(panel, contex
     QTest.keyClick(editor, Qt.Key.Key_Return)
     assert width(document, LEFT_KEY) == width(document, RIGHT_KEY) == 12.5
     assert document.history.done == ("Width of Zygomaticus major",)
+    assert not any(line.isVisible() for line in bar.findChildren(QLineEdit)), "Enter closes the line for good"
     document.undo()
     assert same(document.project.muscles, before.muscles)
     assert bar.value == width(document, LEFT_KEY)

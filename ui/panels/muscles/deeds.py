@@ -10,7 +10,15 @@ from app.actions.context import Context
 from app.tools.locks import refuse_locked
 from facemodel.errors import MuscleError
 from facemodel.laying.clipboard import muscles_from, muscles_text
-from facemodel.laying.collection import added, deleted, duplicated, on_other_side, users_of
+from facemodel.laying.collection import (
+    added,
+    deleted,
+    duplicated,
+    jaw_muscle,
+    on_other_side,
+    users_of,
+    with_muscle,
+)
 from facemodel.laying.sides import linked, partner, unlinked
 from facemodel.muscles import Muscle
 from facemodel.project import Project
@@ -88,6 +96,13 @@ def paste(context: Context) -> None:
     _select(context, keys)
 
 
+def new_jaw(context: Context) -> None:
+    """Let the skin over the mandible be pushed when the jaw opens, by a muscle of its own."""
+    made = jaw_muscle(context.document.project)
+    context.document.edit(with_muscle(context.document.project, made), f"Lay {made.title}")
+    _select(context, (made.key,))
+
+
 def select_all(context: Context) -> None:
     """Select every muscle."""
     _select(context, tuple(muscle.key for muscle in context.document.project.muscles))
@@ -159,6 +174,13 @@ EDITING_ACTIONS = (
     ),
     Action("muscle.copy", "Copy muscles", copy, menu=MENU, group=1, hint="Copy them as text", enabled=_any),
     Action("muscle.paste", "Paste muscles", paste, menu=MENU, group=1, hint="Lay the muscles in the clipboard"),
+    Action(
+        "muscle.jaw",
+        "New jaw force",
+        new_jaw,
+        menu=MENU,
+        hint="A muscle that pushes the skin over the mandible round the jaw’s axis (Choe, Lee and Ko 2001, eq. 3)",
+    ),
     Action("muscle.all", "Select all muscles", select_all, menu=MENU, group=1, enabled=_has_muscles),
     Action(
         "muscle.delete",

@@ -9,16 +9,18 @@ from app.actions.context import Context
 from app.tools.locks import locked_among, refuse_locked
 from facemodel.errors import RisoriusError
 from facemodel.laying.collection import muscle_of, with_muscle
+from facemodel.laying.sides import partner
 from facemodel.muscles import Muscle
 from facemodel.project import Project
+from facemodel.sameness import same
 from ui.panels.live_edit import LiveEdit
-from ui.panels.muscles.selection import chosen, titles
+from ui.panels.muscles.selection import chosen, in_step, titles
 
 Change = Callable[[Muscle], Muscle]
 
 
 class MuscleEdit:
-    """Changes every selected muscle alike.
+    """Changes every selected muscle alike, or the one that was selected last alone.
 
     Parameters
     ----------
@@ -41,9 +43,16 @@ class MuscleEdit:
         """Those that are locked, and the locked partners that would change with the selected ones."""
         return locked_among(self.context.document.project, self.context.view.state, self.muscles)
 
-    def propose(self, change: Change, what: str) -> None:
-        """Change the muscles as the hand means it now; ``what`` is what the step will call it, as in “Width of …”."""
-        muscles = self.muscles
+    def propose(self, change: Change, what: str, *, alone: bool = False) -> None:
+        """Change the muscles as the hand means it now.
+
+        Parameters
+        ----------
+        change : what becomes of each of them
+        what : what the step will call it, as in “Width of …”
+        alone : only the muscle selected last is meant, for a place is on one side only
+        """
+        muscles = self.muscles[:1] if alone else self.muscles
         keys = [muscle.key for muscle in muscles]
 
         def act() -> None:
@@ -60,9 +69,9 @@ class MuscleEdit:
         """All is as it was before the hand took hold."""
         self._live.cancel()
 
-    def now(self, change: Change, what: str) -> None:
-        """Change the muscles at once, in one step."""
-        muscles = self.muscles
+    def now(self, change: Change, what: str, *, alone: bool = False) -> None:
+        """Change the muscles at once, in one step; the parameters are those of `propose`."""
+        muscles = self.muscles[:1] if alone else self.muscles
 
         def act() -> None:
             self.refuse_locked(muscles)
@@ -85,6 +94,15 @@ class MuscleEdit:
 
 
 def _changed(project: Project, keys: list[str], change: Change) -> Project:
+    """A project with some muscles changed; of two in step the first one is, and the other follows."""
+    done: set[str] = set()
     for key in keys:
-        project = with_muscle(project, change(muscle_of(project, key)))
+        muscle = muscle_of(project, key)
+        other = partner(project.muscles, muscle)
+        if other is not None and other.key in done and in_step(project, muscle):
+            continue
+        done.add(key)
+        made = change(muscle)
+        if not same(made, muscle):
+            project = with_muscle(project, made)
     return project

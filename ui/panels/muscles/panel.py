@@ -11,12 +11,13 @@ from app.actions.context import Context, state_signals
 from app.tools.toolbox import ToolBox
 from ui.panels.muscles.actions import MUSCLE_ACTIONS
 from ui.panels.muscles.properties import MuscleProperties
+from ui.panels.muscles.snap_box import SnapBox
 from ui.panels.muscles.tree import MuscleTree
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ICON
 
 WIDTH = 43 * GRID
-HEIGHTS = 440, 330
+HEIGHTS = 380, 420
 """Pixels for tree and numbers at first, of a window of the usual size."""
 
 GLYPHS = {
@@ -55,8 +56,10 @@ class MusclesPanel(QWidget):
         self.search.addAction(icon("magnify"), QLineEdit.ActionPosition.LeadingPosition)
         self.tree = MuscleTree(context.document, context.view)
         self.properties = MuscleProperties(context)
-        self.new = _button("plus", "Lay a new muscle: press on the skull, drag to the skin (N)")
-        self.new.setCheckable(True)
+        self.snap = SnapBox(toolbox)
+        self.new = _button("plus", "New muscle: draw a fibre or a ring on the face, or let the jaw push the skin")
+        self.new.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.new.setMenu(self._new_menu())
         self.buttons = {action.id: self._deed(action) for action in MUSCLE_ACTIONS if action.id in GLYPHS}
         self._lay_out()
         self._connect()
@@ -69,9 +72,6 @@ class MusclesPanel(QWidget):
             if button is not None:
                 button.setEnabled(action.enabled(self._context))
                 button.setChecked(action.kind == "toggle" and action.checked(self._context))
-        fibre = [tool for tool in self._toolbox.offered(self._context.view.state.workspace) if tool.id == "fibre"]
-        self.new.setVisible(bool(fibre))
-        self.new.setChecked(bool(fibre) and self._toolbox.tool is fibre[0])
 
     def _connect(self) -> None:
         self.search.textChanged.connect(self.tree.filter)
@@ -86,14 +86,16 @@ class MusclesPanel(QWidget):
             key.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
             key.triggered.connect(lambda _checked=False, action_id=action_id: self._perform(action_id))
             self.tree.addAction(key)
-        self.new.clicked.connect(self._take)
         self._toolbox.tool_changed.connect(self.refresh)
         for signal in state_signals(self._context):
             signal.connect(self.refresh)
 
-    def _take(self, wanted: bool) -> None:
-        """Take the fibre tool in hand, or put it back."""
-        self._toolbox.take("fibre" if wanted else "select")
+    def _new_menu(self) -> QMenu:
+        menu = QMenu(self)
+        menu.addAction(icon("vector-curve"), "Fibre from bone to skin", lambda: self._toolbox.take("fibre"))
+        menu.addAction(icon("ellipse-outline"), "Ring on the skin", lambda: self._toolbox.take("ring"))
+        menu.addAction(icon("arrow-down"), "Force of the jaw", lambda: self._perform("muscle.jaw"))
+        return menu
 
     def _perform(self, action_id: str) -> None:
         perform(next(action for action in MUSCLE_ACTIONS if action.id == action_id), self._context)
@@ -142,6 +144,7 @@ class MusclesPanel(QWidget):
         above.setContentsMargins(0, 0, 0, 0)
         above.setSpacing(GRID)
         above.addLayout(head)
+        above.addWidget(self.snap)
         above.addWidget(self.tree, 1)
         above.addLayout(line)
         below = QScrollArea()

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import numpy as np
+from PySide6.QtGui import QCursor
 
 from app.tools.sight import Ghost
-from app.view_state import ViewState
-from fem.types import Float32Array
+from facemodel.muscles import Muscle
+from facemodel.muscles.models import MODELS
+from fem.types import Float32Array, FloatArray
 from ui.viewport.colour_map import cividis
 from ui.viewport.complexion import smooth
 from ui.viewport.look import at_points
+from ui.viewport.muscle_fields import muscle_named, muscle_pull
 from ui.viewport.overlays.forces import COLOUR, LIFT, ArrowField
-from ui.viewport.overlays.influence import COVER, FADE
+from ui.viewport.overlays.influence import COVER, FADE, KPA
 from ui.viewport.overlays.overlay import Drawn
 from ui.viewport.overlays.supports import points_of_vertices
+from ui.widgets.legend_card import Legend, LegendCard
 from ui.workspaces.workspace import Parts
 
 STRONGEST = 160
@@ -21,15 +25,22 @@ STRONGEST = 160
 
 
 class FibreGhost:
-    """Lays the influence of the muscle in the hand on the skin, with arrows along its forces."""
+    """Lays the influence of the muscle in the hand on the skin, with arrows along its forces, and says what is wrong.
+
+    The legend is that of the muscle in the hand, else of the one that is selected.
+    """
 
     def __init__(self, parts: Parts) -> None:
-        self._viewport = parts.viewport
+        self._viewport, self._view, self._document = parts.viewport, parts.context.view, parts.context.document
         self._ghost: Ghost | None = None
         self._arrows = ArrowField(COLOUR, STRONGEST)
+        self._legend = LegendCard(parts.viewport)
         self._on = self._due = False
         parts.bench.sight.ghost_changed.connect(self._take)
         parts.viewport.canvas.before_frame.append(self._before_frame)
+        self._view.changed.connect(lambda *_: self._show_legend())
+        for signal in (self._document.muscles_changed, self._document.project_changed):
+            signal.connect(lambda _what: self._show_legend())
 
     def switch(self, on: bool) -> None:
         """Begin to draw, or take all off."""
@@ -39,11 +50,32 @@ class FibreGhost:
         scene.coat = self._coat if on else None
         self._on = on
         self._take(None)
+        self._show_legend()
 
     def _take(self, ghost: Ghost | None) -> None:
-        if ghost is not self._ghost or ghost is None:
-            self._ghost, self._due = ghost, True
-            self._viewport.canvas.ask_frame()
+        if ghost is self._ghost and ghost is not None:
+            return
+        said = self._ghost.complaint if self._ghost is not None else ""
+        self._ghost, self._due = ghost, True
+        self._viewport.canvas.ask_frame()
+        if not self._on:
+            return
+        complaint = ghost.complaint if ghost is not None else ""
+        if complaint or said:
+            self._viewport.pointer.say(complaint, self._viewport.mapFromGlobal(QCursor.pos()))
+        self._show_legend()
+
+    def _show_legend(self) -> None:
+        """What the colours on the skin mean, while there are some."""
+        legend = None
+        if self._on and self._ghost is not None and self._ghost.most:
+            legend = _legend(self._ghost.muscles[0], self._ghost.most)
+        elif self._on and self._ghost is None and self._view.state.influence:
+            project = self._document.project
+            muscle = muscle_named(project, self._view.state.muscle)
+            most = float(muscle_pull(muscle, project.face).max()) if muscle is not None else 0.0
+            legend = _legend(muscle, most) if muscle is not None and most else None
+        self._legend.show_legend(legend)
 
     def _before_frame(self) -> None:
         drawn = self._viewport.scene.drawn
@@ -70,23 +102,12 @@ class FibreGhost:
         self._arrows.show(places, field.vectors, 2 * drawn.half_height)
 
 
-class MusclesInSight:
-    """Keeps the muscles drawn and the selected one's influence shown while their workspace is open."""
+def _legend(muscle: Muscle, most: float) -> Legend:
+    """How hard a muscle pulls, or how far it moves the skin, at full contraction."""
+    moves = MODELS[muscle.model].action == "displacement"
+    top = most if moves else KPA * most
 
-    def __init__(self, parts: Parts) -> None:
-        self._view = parts.context.view
-        self._before: ViewState | None = None
+    def colours(values: FloatArray) -> FloatArray:
+        return np.asarray(cividis(values / top))
 
-    def switch(self, on: bool) -> None:
-        """Show the muscles, or what was shown before; what a person switched in between stays so."""
-        state = self._view.state
-        if on:
-            self._before = state
-            self._view.change(muscles=True, influence=True, **_kept_selection(state))
-        elif self._before is not None:
-            before, self._before = self._before, None
-            self._view.change(muscles=before.muscles, influence=before.influence, **_kept_selection(state))
-
-
-def _kept_selection(state: ViewState) -> dict[str, object]:
-    return {"muscle": state.muscle, "others": state.others}
+    return Legend("Moves the skin" if moves else "Pulls the skin", "mm" if moves else "kPa", 0.0, top, colours)
