@@ -92,6 +92,9 @@ class Host(Protocol):
     def focus_unit(self, number: int) -> None:
         """Show the row of an action unit and put the keyboard on its slider."""
 
+    def compare_models(self) -> None:
+        """Show the models of the selected muscle side by side."""
+
     def show_palette(self) -> None:
         """Open the command palette."""
 

@@ -63,7 +63,8 @@ def added_fibre(muscle: Muscle, fibre: Fibre) -> Muscle:
 def beside(muscle: Muscle, face: Face) -> Muscle:
     """A muscle with one more central fibre at the end of its fan, a step beside the last.
 
-    Its ends lie on what those of the last one lie on; the step is the one between the last two fibres, or half the width of a muscle that has only one.
+    Its ends lie on what those of the last one lie on.  The step is the one between the last two fibres, or half the
+    width of a muscle that has only one.
 
     Raises
     ------

@@ -62,6 +62,9 @@ class Desk:
     def focus_search(self) -> None:
         self.calls.append("focus_search")
 
+    def compare_models(self) -> None:
+        self.calls.append("compare_models")
+
     def show_palette(self) -> None:
         self.calls.append("show_palette")
 

@@ -74,7 +74,7 @@ class LegendCard(QFrame):
         self.setProperty("role", "card")
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._board = board
-        self._scale = _Scale()
+        self._scale = LegendScale()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(GRID + 4, GRID, GRID + 4, GRID)
         layout.addWidget(self._scale)
@@ -95,19 +95,26 @@ class LegendCard(QFrame):
         self._board.place_cards()
 
 
-class _Scale(QWidget):
-    """The drawing on the card."""
+class LegendScale(QWidget):
+    """A legend by itself: title, colours and numbers.
+
+    Attributes
+    ----------
+    legend : what it shows
+    """
 
     def __init__(self) -> None:
         super().__init__()
         self.legend = Legend("", "")
 
     def become(self, legend: Legend) -> None:
+        """Show another legend."""
         self.legend = legend
         self.setFixedSize(self.sizeHint())
         self.update()
 
     def sizeHint(self) -> QSize:
+        """As large as it is drawn."""
         rows = len(self.legend.bands)
         width = max(WIDTH, QFontMetrics(interface_font(TYPE)).horizontalAdvance(self._title) + 2)
         return QSize(width, TYPE + 8 + (rows * (TYPE + 7) if rows else BAR + SMALL_TYPE + 9))
@@ -117,6 +124,7 @@ class _Scale(QWidget):
         return f"{self.legend.title}, {self.legend.unit}" if self.legend.unit else self.legend.title
 
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QColor(current_theme().text))

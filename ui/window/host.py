@@ -80,6 +80,11 @@ class WindowHost:
         self._window.show_workspace("expression")
         self._window.expression.focus_unit(number)
 
+    def compare_models(self) -> None:
+        """Show the models of the selected muscle side by side."""
+        self._window.show_workspace("muscles")
+        self._window.panels.panel("muscles").compared.emit()
+
     def show_palette(self) -> None:
         """Open the command palette."""
         self._window.palette_box.open_palette()

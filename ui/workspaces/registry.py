@@ -13,6 +13,7 @@ from app.tools.tool import Tool
 from facemodel.sculpting.sampler import correction_sampler
 from ui.panels.actions.panel import ActionsPanel
 from ui.panels.expression_panel import ExpressionPanel
+from ui.panels.muscles.comparison.opening import compare_on_demand
 from ui.panels.muscles.panel import MusclesPanel
 from ui.panels.skull.panel import SkullPanel
 from ui.panels.tissue.panel import TissuePanel
@@ -42,6 +43,7 @@ def _actions_panel(parts: Parts) -> ActionsPanel:
 def _muscles_panel(parts: Parts) -> MusclesPanel:
     panel = MusclesPanel(parts.context, parts.toolbox)
     panel.muscles_hovered.connect(parts.viewport.glow)
+    compare_on_demand(panel, parts)
     return panel
 
 

@@ -1,4 +1,4 @@
-"""Where a muscle lies, as numbers: ends, bends and order of its fibres, the ring of a sphincter, its colour and state."""
+"""Where a muscle lies, as numbers: its fibres and where they end and bend, the ring of a sphincter, its state."""
 
 from dataclasses import replace
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from app.actions.action import Action
 from app.actions.context import Context
+from app.model_comparison import to_compare
 from app.tools.locks import refuse_locked
 from facemodel.errors import MuscleError
 from facemodel.laying.clipboard import muscles_from, muscles_text
@@ -21,6 +22,7 @@ from facemodel.laying.collection import (
 )
 from facemodel.laying.sides import linked, partner, unlinked
 from facemodel.muscles import Muscle
+from facemodel.muscles.models import comparable_models
 from facemodel.project import Project
 from ui.panels.muscles.selection import chosen, in_step, titles, with_partners
 
@@ -103,6 +105,12 @@ def new_jaw(context: Context) -> None:
     _select(context, (made.key,))
 
 
+def compare(context: Context) -> None:
+    """Show what the selected muscle does under each of its models, side by side."""
+    to_compare(context.document, context.view)
+    context.host.compare_models()
+
+
 def select_all(context: Context) -> None:
     """Select every muscle."""
     _select(context, tuple(muscle.key for muscle in context.document.project.muscles))
@@ -133,6 +141,11 @@ def _select(context: Context, keys: tuple[str, ...]) -> None:
 
 def _any(context: Context) -> bool:
     return bool(selected(context))
+
+
+def _comparable(context: Context) -> bool:
+    muscles = selected(context)
+    return bool(muscles) and len(comparable_models(muscles[0])) > 1
 
 
 def _sided(context: Context) -> bool:
@@ -180,6 +193,14 @@ EDITING_ACTIONS = (
         new_jaw,
         menu=MENU,
         hint="A muscle that pushes the skin over the mandible round the jaw’s axis (Choe, Lee and Ko 2001, eq. 3)",
+    ),
+    Action(
+        "muscle.compare",
+        "Compare models…",
+        compare,
+        menu=MENU,
+        hint="Show what the muscle does to this face under each model, side by side",
+        enabled=_comparable,
     ),
     Action("muscle.all", "Select all muscles", select_all, menu=MENU, group=1, enabled=_has_muscles),
     Action(

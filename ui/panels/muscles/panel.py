@@ -38,9 +38,11 @@ class MusclesPanel(QWidget):
     Signals
     -------
     muscles_hovered(object) : frozenset of the keys of the muscles under the pointer
+    compared() : the models of the selected muscle are to be compared side by side
     """
 
     muscles_hovered = Signal(object)
+    compared = Signal()
 
     def __init__(self, context: Context, toolbox: ToolBox) -> None:
         super().__init__()
@@ -78,6 +80,7 @@ class MusclesPanel(QWidget):
         self.tree.hovered.connect(self.muscles_hovered)
         self.tree.deleted.connect(lambda: self._perform("muscle.delete"))
         self.tree.renamed.connect(self.properties.focus_title)
+        self.properties.compared.connect(lambda: self._perform("muscle.compare"))
         self.tree.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.tree.customContextMenuRequested.connect(self._ask)
         for action_id, keys in KEYS.items():

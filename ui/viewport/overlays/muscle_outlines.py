@@ -10,12 +10,12 @@ from facemodel.face import Face
 from facemodel.laying.drape import draped
 from facemodel.laying.handles import MEASURES, Handle
 from facemodel.laying.measures import foot, places, profiles_end
-from facemodel.muscles import Muscle
+from facemodel.muscles import Muscle, Sphincter
 from facemodel.muscles.cosine import cosine_of, radius
 from facemodel.muscles.curve import path
 from facemodel.muscles.models import MODELS
 from facemodel.muscles.quadrilateral import nearest_on_line
-from fem.types import FloatArray
+from fem.types import BoolArray, FloatArray
 from ui.viewport.overlays.marks import chain
 from ui.viewport.overlays.on_skin import OnSkin
 
@@ -97,7 +97,7 @@ def _fibres(muscle: Muscle, at: OnSkin, lines: Outlines) -> None:
 
 
 def _ring(muscle: Muscle, face: Face, at: OnSkin, lines: Outlines) -> None:
-    """The ring on the skin, and for a mouth the ring at which its profiles have come to zero."""
+    """The ring on the skin, dashed where there is none, and where the profiles of a mouth have come to zero."""
     ring = muscle.ring
     assert ring is not None
     turns = np.linspace(0, 2 * np.pi, AROUND, endpoint=False)
@@ -106,9 +106,21 @@ def _ring(muscle: Muscle, face: Face, at: OnSkin, lines: Outlines) -> None:
         on_skin = draped(ring, turns, np.full((AROUND, 2), share), face.skin)
         return chain(at.carried(on_skin), closed=True)
 
-    lines.body.append(laid(1.0))
+    own = _own_half(ring, turns)
+    segments = laid(1.0).reshape(-1, 2, 3)
+    lines.body.append(segments[own].reshape(-1, 3))
+    lines.edges.append(_dashed(segments[~own].reshape(-1, 3)))
     if muscle.model == "mouth":
         lines.edges.append(_dashed(laid(profiles_end(muscle))))
+
+
+def _own_half(ring: Sphincter, turns: FloatArray) -> BoolArray:
+    """Which segments round a ring there are, from each angle to the next; all without a sector."""
+    if not ring.sector.any():
+        return np.ones(len(turns), dtype=np.bool_)
+    middle = turns + np.pi / len(turns)
+    way = np.cos(middle)[:, None] * ring.long_axis + np.sin(middle)[:, None] * ring.short_axis
+    return np.asarray(way @ ring.sector > 0)
 
 
 def _dashed(segments: FloatArray) -> FloatArray:
