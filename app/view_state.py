@@ -60,6 +60,7 @@ class ViewState:
     change_map : colour the skin by how far the last solve moved what is shown
     depth_map : colour the skin by how deep the bone lies
     origins_follow : muscles go along when the bone moves that they come from
+    carry : muscles, units and expressions go along to another individual
     linked : the sliders of left and right move together
     tools : by workspace the id of the tool in hand, where it is not the first one
     """
@@ -92,6 +93,7 @@ class ViewState:
     change_map: bool = False
     depth_map: bool = False
     origins_follow: bool = True
+    carry: bool = False
     linked: bool = True
     tools: Mapping[Workspace, str] = field(default_factory=dict)
 

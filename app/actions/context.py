@@ -9,11 +9,13 @@ from typing import Literal, Protocol
 
 from psygnal import SignalInstance
 
+from app.authoring.fitted_muscles import Fitted
 from app.document import Document
 from app.settings import UserSettings
 from app.solving import Solving
 from app.view import View
 from facemodel.actions import ActionUnit
+from facemodel.project import Project
 
 Answer = Literal["save", "discard", "cancel"]
 
@@ -91,6 +93,9 @@ class Host(Protocol):
 
     def focus_unit(self, number: int) -> None:
         """Show the row of an action unit and put the keyboard on its slider."""
+
+    def ask_fitting(self, project: Project, folder: Path) -> Fitted | None:
+        """A project with muscles of another head, fitted to its own; none if the person thought better of it."""
 
     def compare_models(self) -> None:
         """Show the models of the selected muscle side by side."""

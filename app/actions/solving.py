@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from app.actions.action import Action
+from app.actions.context import Context
+from app.authoring.fitted_muscles import carried_to
 from facemodel.faces import face_keys
+from facemodel.projects import new_project
 
 SOLVING_ACTIONS = (
     Action(
@@ -35,18 +38,43 @@ SOLVING_ACTIONS = (
 )
 
 
+def _switch(context: Context, key: str) -> None:
+    """Go to another individual; with the muscles in hand, if they are to go along."""
+    document = context.document
+    if not context.view.state.carry:
+        document.switch_face(key)
+        return
+    other = new_project(key)
+    fitted = carried_to(document.project, other)
+    document.edit(fitted.project, f"{other.face.title}, muscles along")
+    context.host.show_message(" ".join(fitted.fit.sentences))
+
+
+CARRY = Action(
+    "face.carry",
+    "Muscles and units go along",
+    lambda context: context.view.toggle("carry"),
+    menu=("Face", "Change face"),
+    group=1,
+    hint="Fit the muscles in hand to the other head by landmarks, in place of its own",
+    kind="toggle",
+    checked=lambda context: context.view.state.carry,
+)
+
+
 def face_actions() -> tuple[Action, ...]:
-    """One action for each face that the expression can go to."""
-    return tuple(
-        Action(
-            f"face.switch.{key}",
-            key.capitalize(),
-            lambda context, key=key: context.document.switch_face(key),  # type: ignore[misc]
-            menu=("Face", "Change face"),
-            hint=f"Show this expression on the face {key.capitalize()}",
-            kind="choice",
-            enabled=lambda context, key=key: context.document.project.face.key != key,  # type: ignore[misc]
-            checked=lambda context, key=key: context.document.project.face.key == key,  # type: ignore[misc]
-        )
-        for key in face_keys()
+    """One action for each face that the expression can go to, and whether muscles go along."""
+    return (*(_face(key) for key in face_keys()), CARRY)
+
+
+def _face(key: str) -> Action:
+    return Action(
+        f"face.switch.{key}",
+        key.capitalize(),
+        lambda context: _switch(context, key),
+        menu=("Face", "Change face"),
+        hint=f"Show this expression on the face {key.capitalize()}",
+        kind="choice",
+        enabled=lambda context: context.document.project.face.key != key,
+        checked=lambda context: context.document.project.face.key == key,
     )

@@ -6,7 +6,9 @@ from pathlib import Path
 
 from app.actions import Action, Answer, Context, FileQuestion, all_actions, perform
 from app.actions.context import Merge
+from app.authoring.fitted_muscles import Fitted
 from facemodel.actions import ActionUnit
+from facemodel.project import Project
 
 
 @dataclass
@@ -17,6 +19,7 @@ class Desk:
     script: Path | None = None
     answer: Answer = "cancel"
     merge: Merge | None = None
+    fitted: Fitted | None = None
     text: str = ""
     questions: list[FileQuestion | str] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)
@@ -61,6 +64,10 @@ class Desk:
 
     def focus_search(self) -> None:
         self.calls.append("focus_search")
+
+    def ask_fitting(self, project: Project, folder: Path) -> Fitted | None:
+        self.questions.append(f"muscles for {project.face.title}")
+        return self.fitted
 
     def compare_models(self) -> None:
         self.calls.append("compare_models")

@@ -9,8 +9,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QGuiApplication
 
 from app.actions.context import Answer, FileQuestion, Merge
+from app.authoring.fitted_muscles import Fitted
 from facemodel.actions import ActionUnit
+from facemodel.project import Project
 from ui.panels.actions.merge_page import ask_merge
+from ui.panels.muscles.fitting_page import ask_fitting
 from ui.window import dialogs
 from ui.window.about_page import about_page
 from ui.window.shortcut_page import ShortcutPage
@@ -79,6 +82,10 @@ class WindowHost:
         """Show the row of an action unit and put the keyboard on its slider."""
         self._window.show_workspace("expression")
         self._window.expression.focus_unit(number)
+
+    def ask_fitting(self, project: Project, folder: Path) -> Fitted | None:
+        """A project with muscles of another head, fitted to its own; none if the person thought better of it."""
+        return ask_fitting(self._window, project, folder)
 
     def compare_models(self) -> None:
         """Show the models of the selected muscle side by side."""

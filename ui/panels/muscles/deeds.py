@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from app.actions.action import Action
 from app.actions.context import Context
+from app.actions.paths import folder
 from app.model_comparison import to_compare
 from app.tools.locks import refuse_locked
 from facemodel.errors import MuscleError
@@ -96,6 +97,18 @@ def paste(context: Context) -> None:
     project, keys = added(context.document.project, muscles)
     context.document.edit(project, f"Paste {titles(muscles)}")
     _select(context, keys)
+
+
+def fit(context: Context) -> None:
+    """Take the muscles of another head, fitted to this one."""
+    project = context.document.project
+    fitted = context.host.ask_fitting(project, folder(context))
+    if fitted is None:
+        return
+    after = {muscle.key: muscle for muscle in fitted.project.muscles}
+    if free(context, [muscle for muscle in project.muscles if after.get(muscle.key) is not muscle]):
+        context.document.edit(fitted.project, "Fit muscles of another head")
+        context.host.show_message(" ".join(fitted.fit.sentences))
 
 
 def new_jaw(context: Context) -> None:
@@ -201,6 +214,13 @@ EDITING_ACTIONS = (
         menu=MENU,
         hint="Show what the muscle does to this face under each model, side by side",
         enabled=_comparable,
+    ),
+    Action(
+        "muscle.fit",
+        "Fit muscles from another head…",
+        fit,
+        menu=MENU,
+        hint="Take the muscles of another individual or project, fitted to this head by landmarks",
     ),
     Action("muscle.all", "Select all muscles", select_all, menu=MENU, group=1, enabled=_has_muscles),
     Action(

@@ -98,6 +98,8 @@ class MusclesPanel(QWidget):
         menu.addAction(icon("vector-curve"), "Fibre from bone to skin", lambda: self._toolbox.take("fibre"))
         menu.addAction(icon("ellipse-outline"), "Ring on the skin", lambda: self._toolbox.take("ring"))
         menu.addAction(icon("arrow-down"), "Force of the jaw", lambda: self._perform("muscle.jaw"))
+        menu.addSeparator()
+        menu.addAction(icon("head-sync-outline"), "From another head…", lambda: self._perform("muscle.fit"))
         return menu
 
     def _perform(self, action_id: str) -> None:

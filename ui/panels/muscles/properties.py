@@ -18,6 +18,13 @@ from ui.panels.muscles.ring_form import RingForm
 from ui.theme.metrics import GRID
 from ui.widgets.number_bar import NumberBar
 
+LAY = (
+    "take the fibre tool (N), press on the skull and drag to the skin; or take the ring tool (O) and draw a sphincter "
+    "on the skin."
+)
+SELECT = f"Select a muscle here or on the face. To lay a new one {LAY}"
+BEGIN = f"This head has no muscles yet. To lay one {LAY} Or fit those of another head: the plus sign has them."
+
 
 class MuscleProperties(QWidget):
     """Shows the selected muscles; places are those of the one that was selected last.
@@ -39,10 +46,7 @@ class MuscleProperties(QWidget):
         self.ring = RingForm(self.edit)
         self.users = _quiet("")
         self._locked = _quiet("")
-        self._nothing = _quiet(
-            "Select a muscle here or on the face. To lay a new one take the fibre tool (N), press on the skull and "
-            "drag to the skin; or the ring tool (O) for a sphincter."
-        )
+        self._nothing = _quiet("")
         self._form = QWidget()
         self._lay_out()
         self.identity.compared.connect(self.compared)
@@ -83,6 +87,7 @@ class MuscleProperties(QWidget):
         self._form.setVisible(bool(muscles))
         self._nothing.setVisible(not muscles)
         if not muscles:
+            self._nothing.setText(SELECT if self._context.document.project.muscles else BEGIN)
             return
         first, locked = muscles[0], self.edit.locked
         self.identity.show_muscles(muscles)
