@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-
-import numpy as np
+from dataclasses import replace
 
 from app.scripting.desk import ScriptDesk
+from app.scripting.muscle_places import PlacedMuscle
 from facemodel.errors import MuscleError
 from facemodel.laying import collection, values
-from facemodel.laying.fibres import End, added_fibre, bent, laid_fibre, with_end
-from facemodel.laying.places import on_bone, on_skin
+from facemodel.laying.sides import linked, partner, unlinked
 from facemodel.muscles import Muscle, Profile
-from facemodel.muscles.models import MODELS
+from facemodel.muscles.models import MODELS, comparable_models
 from facemodel.muscles.muscle import Model
 from facemodel.project import Project
-from fem.types import FloatArray
 
-Place = Sequence[float] | FloatArray
-"""A point, three millimetres."""
-
-SPOKEN = frozenset(("title", "group", "colour", "model"))
+SPOKEN = frozenset(("title", "group", "colour", "model", "linked"))
 """Members for people that are no parameters of a model."""
 
 
-class MuscleHandle:
+class MuscleHandle(PlacedMuscle):
     """A muscle of the project, by its key; its parameters are attributes, those of parts by ``get`` and ``set``.
 
     Parameters
@@ -32,9 +27,6 @@ class MuscleHandle:
     desk : what the script works on
     key : of the muscle, for example ``risorius_L``
     """
-
-    _desk: ScriptDesk
-    _key: str
 
     def __init__(self, desk: ScriptDesk, key: str) -> None:
         object.__setattr__(self, "_desk", desk)
@@ -45,14 +37,14 @@ class MuscleHandle:
         return f"muscle({muscle.key!r}): {muscle.title}, {muscle.model}"
 
     @property
-    def value(self) -> Muscle:
-        """The muscle as it is now, a frozen value."""
-        return collection.muscle_of(self._desk.project, self._key)
-
-    @property
     def key(self) -> str:
         """Name and side."""
         return self._key
+
+    @property
+    def models(self) -> tuple[Model, ...]:
+        """The models that can work on what it is made of."""
+        return comparable_models(self.value)
 
     def __getattr__(self, name: str) -> object:
         if name.startswith("_"):
@@ -68,7 +60,9 @@ class MuscleHandle:
             "colour": lambda muscle: values.coloured(muscle, str(value)),
             "model": lambda muscle: values.with_model(muscle, _model(value)),
         }
-        if name in setters:
+        if name == "linked":
+            self._link(bool(value))
+        elif name in setters:
             self._change(setters[name], "Change")
         else:
             self.set(name, value)  # type: ignore[arg-type]
@@ -83,21 +77,15 @@ class MuscleHandle:
         given = value if isinstance(value, Profile) else float(value)
         self._change(lambda muscle: values.changed(muscle, name, given), "Change")
 
-    def move(self, end: End, to: Place, fibre: int = 0) -> None:
-        """Move the origin to the bone nearest to a point, or the attachment to the nearest vertex of the skin."""
-        face, point = self._desk.project.face, np.array(to, dtype=np.float64)
-        place = on_bone(face, point) if end == "origin" else on_skin(face, point)
-        self._change(lambda muscle: with_end(muscle, fibre, end, place), "Move")
+    def reset(self, name: str) -> None:
+        """Give a parameter the value that a new muscle gets."""
+        self._change(lambda muscle: values.reset(muscle, name), "Reset")
 
-    def bend(self, through: Place, fibre: int = 0) -> None:
-        """Lead a fibre through one more point."""
-        self._change(lambda muscle: bent(muscle, fibre, np.array(through, dtype=np.float64))[0], "Bend")
-
-    def add_fibre(self, origin: Place, attachment: Place) -> None:
-        """Give it one more central fibre."""
-        face = self._desk.project.face
-        fibre = laid_fibre(face, np.array(origin, dtype=np.float64), np.array(attachment, dtype=np.float64))
-        self._change(lambda muscle: added_fibre(muscle, fibre), "Add fibre to")
+    def draw(self, name: str, knots: Sequence[tuple[float, float]]) -> None:
+        """Draw a profile of a mouth, ``sigma`` or ``tau``, through knots of distance and value."""
+        at, heights = zip(*knots, strict=True) if knots else ((), ())
+        profile = Profile(tuple(map(float, at)), tuple(map(float, heights)))
+        self._change(lambda muscle: values.changed(muscle, f"profiles.{name}", profile), "Draw profile of")
 
     def rename(self, name: str) -> None:
         """Give it another name without side, on both sides and in all action units."""
@@ -118,14 +106,19 @@ class MuscleHandle:
         title = self.value.title
         self._desk.edit(lambda project: collection.deleted(project, [self._key]).project, f"Delete {title}")
 
+    def _link(self, on: bool) -> None:
+        """Keep it in step with its partner, or no longer."""
+        muscle, project = self.value, self._desk.project
+        if partner(project.muscles, muscle) is None:
+            raise MuscleError(f"“{muscle.key}” has no partner to be in step with; mirror it first.")
+        muscles = linked(project.muscles, muscle, project.face) if on else unlinked(project.muscles, muscle)
+        label = f"{'Link' if on else 'Unlink'} sides of {muscle.title}"
+        self._desk.edit(lambda before: replace(before, muscles=muscles), label)
+
     def _made(self, make: Callable[[Project, list[str]], tuple[Project, tuple[str, ...]]], verb: str) -> MuscleHandle:
         project, (key,) = make(self._desk.project, [self._key])
         self._desk.edit(lambda _: project, f"{verb} {self.value.title}")
         return MuscleHandle(self._desk, key)
-
-    def _change(self, change: Callable[[Muscle], Muscle], verb: str) -> None:
-        changed = change(self.value)
-        self._desk.edit(lambda project: collection.with_muscle(project, changed), f"{verb} {changed.title}")
 
 
 def _model(value: object) -> Model:

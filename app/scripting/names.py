@@ -16,6 +16,7 @@ from app.expression_text import format_expression, parse_expression
 from app.scripting.animating import PUBLIC, Animating
 from app.scripting.desk import ScriptDesk
 from app.scripting.muscle_handle import MuscleHandle
+from app.scripting.muscle_names import MuscleNames
 from app.scripting.painting import Painter, Where
 from app.scripting.unit_handle import UnitHandle
 from app.superposition_check import Posed, check_superposition
@@ -39,6 +40,7 @@ class Names:
         self._desk = desk
         self._painter = Painter(desk)
         self._animating = Animating(desk)
+        self._laying = MuscleNames(desk, self._painter)
 
     def namespace(self) -> dict[str, Any]:
         """All of it by name."""
@@ -46,7 +48,7 @@ class Names:
         own.pop("namespace")
         painting = {name: getattr(self._painter, name) for name in ("paint", "values", "set_values", "layers", "place")}
         animating = {name: getattr(self._animating, name) for name in PUBLIC}
-        return {**own, **painting, **animating, "np": np}
+        return {**own, **painting, **animating, **self._laying.namespace(), "np": np}
 
     def face(self) -> Face:
         """The face as it is now, a frozen value."""

@@ -8,6 +8,9 @@ import numpy as np
 
 from app.tools.pointer import Pointer, Ray
 from app.tools.tool import Bench, Tool
+from facemodel.face import Face
+from facemodel.laying.drape import of_sector, ring_line, ring_turns
+from facemodel.laying.rings import frame_of
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import MODELS
 
@@ -45,17 +48,26 @@ class SelectTool(Tool):
 
 
 def muscle_under(bench: Bench, pointer: Pointer) -> Muscle | None:
-    """The muscle whose drawn fibres the pointer is on, else the one that pulls most on the skin there."""
+    """The muscle whose fibres or ring the pointer is on, else the one that pulls most on the skin there."""
     project, state = bench.document.project, bench.view.state
     shown = [muscle for muscle in project.muscles if muscle.key not in state.hidden]
     if (state.muscles or state.workspace == "muscles") and pointer.ray is not None and shown:
-        distances = [fibre_distance(muscle, pointer.ray) for muscle in shown]
+        distances = [muscle_distance(muscle, pointer.ray, project.face) for muscle in shown]
         nearest = int(np.argmin(distances))
         if distances[nearest] <= pointer.reach:
             return shown[nearest]
     if pointer.skin is None:
         return None
     return bench.pulls.strongest(project, pointer.skin.vertex, state.hidden)
+
+
+def muscle_distance(muscle: Muscle, ray: Ray, face: Face) -> float:
+    """Millimetres between a line of sight and the fibres of a muscle, or its ring on the side that is seen."""
+    if muscle.ring is None or MODELS[muscle.model].geometry != "ring":
+        return fibre_distance(muscle, ray)
+    line = ring_line(muscle.ring, face.skin)[of_sector(muscle.ring, ring_turns())]
+    facing = frame_of(muscle.ring)[2] @ ray.along < 0
+    return float(ray.distance(line).min()) if facing and len(line) else float("inf")
 
 
 def fibre_distance(muscle: Muscle, ray: Ray) -> float:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from scipy.ndimage import gaussian_filter
 
@@ -26,8 +28,30 @@ FOLD = 1.5
 DEEPEST, EVEN = 4.0, 1.0
 """Millimetres that a ring goes under the skin where that is lower than around it, and places over which it does so."""
 
+AROUND = 64
+"""Places of the line of a ring."""
+
 ROUNDS = 6
 """In which the height is fitted; it stands still after four."""
+
+
+@lru_cache(maxsize=256)
+def ring_line(ring: Sphincter, skin: Mesh) -> FloatArray:
+    """The whole ring on the skin as `AROUND` places (AROUND, 3), from the tip of its long half axis on."""
+    return draped(ring, ring_turns(), np.ones((AROUND, 2)), skin)
+
+
+def ring_turns() -> FloatArray:
+    """The angles (AROUND,) of the places of `ring_line`."""
+    return np.linspace(0, 2 * np.pi, AROUND, endpoint=False)
+
+
+def of_sector(ring: Sphincter, turns: FloatArray) -> BoolArray:
+    """At which angles (n,) there is some of a ring that may be a half one."""
+    if not ring.sector.any():
+        return np.ones(len(turns), dtype=np.bool_)
+    way = np.cos(turns)[:, None] * ring.long_axis + np.sin(turns)[:, None] * ring.short_axis
+    return np.asarray(way @ ring.sector > 0)
 
 
 def draped(ring: Sphincter, turns: FloatArray, shares: FloatArray, skin: Mesh) -> FloatArray:

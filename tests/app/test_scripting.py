@@ -1,8 +1,11 @@
 """A script does what the mouse does, in one step; one that raises says where and leaves nothing behind."""
 
+from ast import literal_eval
+
 import numpy as np
 import pytest
 
+from app.authoring.bare import bare_project
 from app.document import Document
 from app.scripting import Console, run_script
 from facemodel.laying.collection import muscle_of
@@ -196,3 +199,73 @@ pasted.delete()
     assert muscle_of(document.project, "malaris_major_L").colour == "#f2845c"
     assert "no parameter" in run_script("muscle('malaris_major_L').softness", document).error
     assert "model" in run_script("muscle('malaris_major_L').model = 'rope'", document).error
+
+
+def test_everything_of_a_muscle_that_the_mouse_drags_a_script_can_set() -> None:
+    document = Document(new_project())
+    outcome = run_script(
+        """
+m = muscle("zygomaticus_major_L")
+count = len(m.value.fibres)
+m.linked = False
+m.add_fibre(place("zygion_L"), place("mouth_corner_L"))
+m.order_fibre(0, count)
+m.remove_fibre(0)
+m.bend(place("zygion_L") * 0.5 + place("mouth_corner_L") * 0.5)
+m.bend(m.value.fibres[0].via[0] + [0, 0, 2], at=0)
+m.straighten()
+m.move("origin", m.value.fibres[0].origin + [1, 2, 0], snap=False)
+m.model = "cosine"
+m.drag("share", (m.value.fibres[0].origin + m.value.fibres[0].attachment) / 2)
+other = muscle("zygomaticus_major_R")
+print(len(m.value.fibres) == count, round(m.get("cosine.share"), 3), sorted(m.models), other.linked)
+m.reset("cosine.share")
+print(m.get("cosine.share"))
+""",
+        document,
+    )
+    assert outcome.error == ""
+    assert outcome.output == "True 0.5 ['cosine', 'fibre', 'quadrilateral'] False\n0.3\n"
+    assert muscle_of(document.project, "zygomaticus_major_R").model == "fibre"
+
+
+def test_rings_and_the_force_of_the_jaw_are_laid_by_script() -> None:
+    document = Document(new_project())
+    outcome = run_script(
+        """
+ring = new_ring("Kiss", "mid_philtrum", "mouth_corner_L", 9)
+ring.model = "mouth"
+ring.draw("sigma", [(0, 0), (1, 0.8), (2, 0)])
+ring.stretch("short", 12)
+ring.centre(ring.value.ring.centre + [0, 0, 1])
+ring.half("up")
+jaw = new_jaw_force()
+jaw.drag("force", jaw.handles()[0][3])
+print(ring.key, ring.value.ring.sector[1] > 0.5, ring.get("profiles.sigma").values, round(jaw.strength, 4))
+""",
+        document,
+    )
+    assert outcome.error == ""
+    assert outcome.output == "kiss True (0.0, 0.8, 0.0) 0.01\n"
+    assert "no handle" in run_script("muscle('kiss').drag('origin', [0, 0, 0])", document).error
+    assert "is no place" in run_script("muscle('kiss').centre([0, 0])", document).error
+    assert "choose one of whole" in run_script("muscle('kiss').half('third')", document).error
+
+
+def test_muscles_of_another_head_are_fitted_by_script() -> None:
+    document = Document(bare_project("ben"))
+    outcome = run_script("print(fit_muscles('ada')[0], len(muscles()))", document)
+    assert outcome.error == ""
+    assert outcome.output == "45 muscles by 65 landmarks. 45\n"
+    assert document.history.done[-1:] != ()
+    document.undo()
+    assert document.project.muscles == ()
+
+
+def test_models_are_compared_by_script(document: Document) -> None:
+    outcome = run_script("print(sorted(compare_models('zygomaticus_major_L').items()))", document)
+    assert outcome.error == ""
+    found = dict(literal_eval(outcome.output))
+    assert set(found) == {"fibre", "quadrilateral", "cosine"}
+    assert found["fibre"][1] == pytest.approx(1.0)
+    assert all(largest > 0 for largest, _ in found.values())

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -31,6 +32,7 @@ from ui.window.delivery import UiThread
 from ui.window.dialogs import ask_path
 
 WIDTH = 56 * GRID
+REPORT = 18 * GRID
 
 KEEPING: dict[Keeping, str] = {
     "same": "Replace muscles of the same name, keep the others",
@@ -87,6 +89,7 @@ class FittingPage(QDialog):
         others = [place for place, key in enumerate(face_keys()) if key != project.face.key]
         self.source.setCurrentIndex(others[0] if others else 0)
         self.browse = QPushButton("A project…")
+        self.browse.setAutoDefault(False)
         self.browse.setToolTip("Take the muscles of a project, whatever its head")
         self.keeping = QComboBox()
         self.keeping.setAccessibleName("Own muscles")
@@ -96,7 +99,11 @@ class FittingPage(QDialog):
         self.report.setWordWrap(True)
         self.report.setProperty("role", "muted")
         self.report.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.report.setMinimumHeight(13 * GRID)
+        self._told = QScrollArea()
+        self._told.setWidgetResizable(True)
+        self._told.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._told.setWidget(self.report)
+        self._told.setFixedHeight(REPORT)
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.fit = self.buttons.addButton("Fit muscles", QDialogButtonBox.ButtonRole.AcceptRole)
         self.fit.setDefault(True)
@@ -174,7 +181,7 @@ class FittingPage(QDialog):
         layout.addLayout(line)
         layout.addWidget(self.keeping)
         layout.addSpacing(GRID)
-        layout.addWidget(self.report)
+        layout.addWidget(self._told)
         layout.addWidget(self.buttons)
 
 

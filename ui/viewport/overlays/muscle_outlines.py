@@ -7,20 +7,19 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from facemodel.face import Face
-from facemodel.laying.drape import draped
+from facemodel.laying.drape import draped, of_sector, ring_line, ring_turns
 from facemodel.laying.handles import MEASURES, Handle
 from facemodel.laying.measures import foot, places, profiles_end
-from facemodel.muscles import Muscle, Sphincter
+from facemodel.muscles import Muscle
 from facemodel.muscles.cosine import cosine_of, radius
 from facemodel.muscles.curve import path
 from facemodel.muscles.models import MODELS
 from facemodel.muscles.quadrilateral import nearest_on_line
-from fem.types import BoolArray, FloatArray
+from fem.types import FloatArray
 from ui.viewport.overlays.marks import chain
 from ui.viewport.overlays.on_skin import OnSkin
 
 STEPS = 16
-AROUND = 64
 
 UNIT_BOX = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
 BOX_EDGES = [(a, b) for a in range(8) for b in range(a) if np.abs(UNIT_BOX[a] - UNIT_BOX[b]).sum() == 2]
@@ -100,27 +99,15 @@ def _ring(muscle: Muscle, face: Face, at: OnSkin, lines: Outlines) -> None:
     """The ring on the skin, dashed where there is none, and where the profiles of a mouth have come to zero."""
     ring = muscle.ring
     assert ring is not None
-    turns = np.linspace(0, 2 * np.pi, AROUND, endpoint=False)
-
-    def laid(share: float) -> FloatArray:
-        on_skin = draped(ring, turns, np.full((AROUND, 2), share), face.skin)
-        return chain(at.carried(on_skin), closed=True)
-
-    own = _own_half(ring, turns)
-    segments = laid(1.0).reshape(-1, 2, 3)
+    line = ring_line(ring, face.skin)
+    own = of_sector(ring, ring_turns() + np.pi / len(line))
+    segments = chain(at.carried(line), closed=True).reshape(-1, 2, 3)
     lines.body.append(segments[own].reshape(-1, 3))
     lines.edges.append(_dashed(segments[~own].reshape(-1, 3)))
     if muscle.model == "mouth":
-        lines.edges.append(_dashed(laid(profiles_end(muscle))))
-
-
-def _own_half(ring: Sphincter, turns: FloatArray) -> BoolArray:
-    """Which segments round a ring there are, from each angle to the next; all without a sector."""
-    if not ring.sector.any():
-        return np.ones(len(turns), dtype=np.bool_)
-    middle = turns + np.pi / len(turns)
-    way = np.cos(middle)[:, None] * ring.long_axis + np.sin(middle)[:, None] * ring.short_axis
-    return np.asarray(way @ ring.sector > 0)
+        end = np.full((len(line), 2), profiles_end(muscle))
+        around = draped(ring, ring_turns(), end, face.skin)
+        lines.edges.append(_dashed(chain(at.carried(around), closed=True)))
 
 
 def _dashed(segments: FloatArray) -> FloatArray:
