@@ -25,8 +25,11 @@ WAVES = 4
 FOLD = 1.5
 """Millimetres off the smooth height from which the skin counts less and less."""
 
-DEEPEST, EVEN = 4.0, 1.0
+DEEPEST, EVEN = 3.0, 2.0
 """Millimetres that a ring goes under the skin where that is lower than around it, and places over which it does so."""
+
+WHOLE = 1.8 * np.pi
+"""Angle from the first place to the last beyond which a ring closes."""
 
 AROUND = 64
 """Places of the line of a ring."""
@@ -76,7 +79,8 @@ def draped(ring: Sphincter, turns: FloatArray, shares: FloatArray, skin: Mesh) -
     smooth = _smooth(turns.ravel(), shares.mean(axis=-1).ravel(), height, seen)
     # What would stand out of the skin goes under it.
     out_of_it = np.where(seen, np.clip(smooth - height, 0.0, DEEPEST), 0.0).reshape(turns.shape)
-    under = smooth.reshape(turns.shape) - gaussian_filter(out_of_it, EVEN, mode="nearest")
+    modes = [*["nearest"] * (turns.ndim - 1), "wrap" if np.ptp(turns) > WHOLE else "nearest"]
+    under = smooth.reshape(turns.shape) - gaussian_filter(out_of_it, EVEN, mode=modes)
     return np.asarray(flat + under[..., None] * out)
 
 
