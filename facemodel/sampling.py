@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -122,8 +123,9 @@ def carried_points(face: Face, vertex_fields: FloatArray) -> FloatArray:
     return np.concatenate(rows) if rows else np.zeros((0, vertex_fields.shape[1]))
 
 
+@lru_cache(maxsize=2)
 def points_of_vertices(face: Face, display: DisplaySurface) -> IntArray:
-    """The drawn point (N,) that lies on each skin vertex."""
+    """The drawn point (N,) that lies on each skin vertex; to be read only, for it is remembered."""
     corner = display.barycentric.argmax(axis=1)
     on = np.flatnonzero(display.barycentric.max(axis=1) > 1 - 1e-6)
     found = np.full(len(face.skin.positions), -1, dtype=np.int64)

@@ -73,6 +73,8 @@ def test_progress_comes_with_a_button_that_cancels_and_goes_with_it(shown, qtbot
     assert not line.cancel.isVisible()
     line.show_progress("Factorising", 0.4)
     assert line.bar.value() == 400
+    assert not line.bar.isVisible(), "what is over in a blink does not flicker"
+    qtbot.waitUntil(line.cancel.isVisible, timeout=5000)
     with qtbot.waitSignal(line.cancel_asked, timeout=1000):
         QTest.mouseClick(line.cancel, Qt.MouseButton.LeftButton)
     line.end_progress()

@@ -10,6 +10,10 @@ from ui.theme.metrics import GRID, ROW
 NOTICE_TIME = 6000
 """Milliseconds for which a notice stands in the place of the hint."""
 
+SOON = 250
+"""Milliseconds for which work may go on before its progress is shown: what is over in a blink does not flicker, and a
+bar that moves has the whole window painted each time."""
+
 BAR_WIDTH = 20 * GRID
 STEPS = 1000
 
@@ -52,6 +56,8 @@ class StatusLine(QStatusBar):
             self.addPermanentWidget(widget)
         self._timer = QTimer(self, singleShot=True, interval=NOTICE_TIME)
         self._timer.timeout.connect(lambda: self.hint.setText(self._hint))
+        self._reveal = QTimer(self, singleShot=True, interval=SOON)
+        self._reveal.timeout.connect(self._show_bar)
         self.end_progress()
 
     def show_hint(self, text: str) -> None:
@@ -66,14 +72,19 @@ class StatusLine(QStatusBar):
         self._timer.start()
 
     def show_progress(self, text: str, share: float) -> None:
-        """How far a solve is, 0..1."""
+        """How far a solve is, 0..1; it is seen if it is not over soon."""
         self.step.setText(text)
         self.bar.setValue(round(share * STEPS))
+        if self.bar.isHidden() and not self._reveal.isActive():
+            self._reveal.start()
+
+    def _show_bar(self) -> None:
         for widget in (self.step, self.bar, self.cancel):
             widget.show()
 
     def end_progress(self) -> None:
         """Nothing is being solved."""
+        self._reveal.stop()
         for widget in (self.step, self.bar, self.cancel):
             widget.hide()
 
