@@ -67,7 +67,7 @@ def _brush_figures(window: AuthoringWindow) -> Iterator[Figure]:
 def _fibre_figures(window: AuthoringWindow) -> Iterator[Figure]:
     window.begin_laying("zygomaticus_major_L")
     places = window.attachment()
-    moves, releases, redraws = [], [], []
+    moves, releases, redraws, solves = [], [], [], []
     for number in range(RELEASES):
         window.press(*places)
         way = np.array([1.0, -0.6]) * (1 if number % 2 == 0 else -1)
@@ -77,12 +77,14 @@ def _fibre_figures(window: AuthoringWindow) -> Iterator[Figure]:
             redraws.append(_seconds(window.draw))
         places = at
         releases.append(_seconds(lambda places=places: window.release_and_wait(*places)))
+        solves.append(window.seconds_of_solver)
         places = window.attachment()
     what = "end of a fibre dragged to drawn frame, influence and forces with it"
     yield compared(what, np.array(moves), "the same picture drawn again", np.array(redraws))
     work = window.work
     did = f"{work.columns} columns solved, {'factorised anew' if work.factorised else 'no new factorisation'}"
-    yield alone(f"release of a fibre to new fields ({did})", np.array(releases))
+    yield alone(f"release of a fibre to new fields, drawn ({did})", np.array(releases))
+    yield alone("of which the solver took", np.array(solves))
 
 
 def _journal_figures(project: Project) -> Iterator[Figure]:

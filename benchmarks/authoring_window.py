@@ -57,6 +57,12 @@ class AuthoringWindow:
         """What the last solve had to do."""
         return self._solve.work
 
+    @property
+    def seconds_of_solver(self) -> float:
+        """What the last solve took in its own thread."""
+        solution = self._document.solved
+        return sum(solution.seconds.values()) if solution is not None else 0.0
+
     def begin_painting(self) -> None:
         """Take the brush in hand, its tables ready."""
         self.main.context.view.change(workspace="tissue")

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
+from facemodel.muscles import Muscle
 from ui.viewport.muscle_fields import activations
 from ui.viewport.overlays.fibre_grain import GLSL, wear_grain
 from ui.viewport.overlays.glow import ACCENT
-from ui.viewport.overlays.laid_muscle import laid_muscle
+from ui.viewport.overlays.laid_muscle import LaidMuscle, laid_muscle
 from ui.viewport.overlays.overlay import Drawn, Overlay
 from ui.viewport.shading import BAND, apply
 from ui.viewport.surface import Surface
@@ -23,8 +25,13 @@ SWELL = 1.2
 class MusclesOverlay(Overlay):
     """All muscles of a project in one actor."""
 
+    def __init__(self, renderer: vtkRenderer) -> None:
+        super().__init__(renderer)
+        self._muscles: list[Muscle] = []
+        self._laid: list[LaidMuscle] = []
+
     def build(self, drawn: Drawn) -> None:
-        """Lay the bodies under the resting skin."""
+        """Lay the bodies under the resting skin; where they lie as before, what draws them is taken again."""
         # The force of the jaw has no shape of its own: its muscles lie under the others.
         self._muscles = [
             muscle
@@ -36,6 +43,14 @@ class MusclesOverlay(Overlay):
         face, display = drawn.project.face, drawn.figure.posed.basis.display
         bones = face.skull.cranium, face.skull.mandible
         laid = [laid_muscle(muscle, face.skin, bones, display) for muscle in self._muscles]
+        if [id(each) for each in laid] != [id(each) for each in self._laid]:
+            self._laid = laid
+            self._draw(laid)
+        self._anchored = display.points
+        self.add(self._surface.actor)
+
+    def _draw(self, laid: list[LaidMuscle]) -> None:
+        """Put all bodies into one surface."""
         sizes = [len(each.points) for each in laid]
         first = np.cumsum([0, *sizes])
         self._rest = np.concatenate([each.points for each in laid])
@@ -45,13 +60,11 @@ class MusclesOverlay(Overlay):
         self._share = np.concatenate([each.share for each in laid])
         self._anchors = np.concatenate([each.anchors for each in laid])
         self._pulls = np.concatenate([each.pulls for each in laid])
-        self._anchored = display.points
         self._normals = np.concatenate([each.normals for each in laid])
         colours = np.full((len(self._rest), 4), 255, dtype=np.uint8)
         self._surface = Surface(self._rest.astype(np.float32), self._normals, triangles, colours)
         wear_grain(self._surface, np.concatenate([each.grain for each in laid]))
         apply(self._surface.actor, BAND, detail=GLSL)
-        self.add(self._surface.actor)
 
     def follow(self, drawn: Drawn) -> None:
         """Colour by contraction and selection, and move the attachments with the skin."""
