@@ -25,7 +25,11 @@ from facemodel.cache import solution_key
 from facemodel.io.animation import animation_arrays, animation_json
 from facemodel.io.project_file import project_bytes, project_of
 from facemodel.laying import collection
-from facemodel.laying.values import changed
+from facemodel.laying.fibres import added_fibre, bent, reordered, with_end
+from facemodel.laying.sides import put
+from facemodel.laying.values import changed, coloured, with_model
+from facemodel.muscles import Fibre, Muscle
+from facemodel.muscles.models import comparable_models
 from facemodel.painting.brush import MODES
 from facemodel.painting.layers import LAYER
 from facemodel.project import Project
@@ -118,6 +122,21 @@ class Hands:
         wider = changed(muscle, "width", self.random.uniform(5, 30))  # type: ignore[arg-type]
         muscles = tuple(wider if each is muscle else each for each in self.project.muscles)
         self.document.edit(replace(self.project, muscles=muscles), "Width", gesture=f"width {self.count // 4}")
+
+    def lay_muscle(self) -> None:
+        muscle = self.one_of(self.project.muscles)
+        place = self.random.uniform(-20, 20, 3)
+        ways: list[Callable[[], Muscle]] = [
+            lambda: bent(muscle, 0, place)[0],
+            lambda: with_end(muscle, 0, "origin", place),
+            lambda: added_fibre(muscle, Fibre(place, place + 9.0)),
+            lambda: reordered(muscle, 0, 1),
+            lambda: with_model(muscle, self.one_of(comparable_models(muscle))),
+            lambda: coloured(muscle, "#5c999e"),
+        ]
+        made = ways[int(self.random.integers(len(ways)))]()
+        muscles = put(self.project.muscles, made, self.project.face)
+        self.document.edit(replace(self.project, muscles=muscles), "Lay")
 
     def copy_muscle(self) -> None:
         key = self.one_of(self.project.muscles).key  # type: ignore[attr-defined]

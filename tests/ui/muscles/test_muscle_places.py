@@ -8,10 +8,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
+from app.authoring.bare import bare_project
 from app.tools import TOOLS, Bench, ToolBox
 from facemodel.laying.collection import muscle_of
+from facemodel.laying.places import kind_of_place
 from facemodel.laying.sides import mirrored
 from facemodel.muscles import Sphincter
+from facemodel.projects import new_project
 from facemodel.sameness import same
 from tests.ui.hands import drag, move
 from ui.panels.muscles.panel import MusclesPanel
@@ -77,6 +80,18 @@ def test_a_coordinate_is_dragged_slowly_in_one_step_and_esc_takes_it_back(panel,
     assert same(document.project.muscles, before.muscles)
     drag(bar, 0.2, 0.9)
     assert document.history.done == ("Lay a mouth", "Move origin of Zygomaticus major")
+
+
+def test_arrow_keys_step_a_coordinate_by_half_a_millimetre_in_one_step_for_each_press(panel, context):
+    bar = panel.properties.fibres.fibres[0].origin.bars[2]
+    bar.setFocus()
+    QTest.keyClick(bar, Qt.Key.Key_Up)
+    assert muscle_of(context.document.project, LEFT).fibres[0].origin[2] == 5.5
+    QTest.keyClick(bar, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
+    assert muscle_of(context.document.project, LEFT).fibres[0].origin[2] == 5.4
+    QTest.keyClick(bar, Qt.Key.Key_Backspace)
+    assert muscle_of(context.document.project, LEFT).fibres[0].origin[2] == 5.4, "nothing resets a place"
+    assert len(context.document.history.done) == 3
 
 
 def test_fibres_are_added_put_in_order_bent_and_taken_out(panel, context):
@@ -205,3 +220,37 @@ def test_what_is_dragged_snaps_as_it_is_told(panel, context):
     box.skin.setCurrentIndex(box.skin.findData("surface"))
     box.skin.activated.emit(box.skin.currentIndex())
     assert {tool.skin_snap for tool in toolbox.tools if hasattr(tool, "skin_snap")} == {"surface"}
+
+
+def test_muscles_copied_in_one_project_are_pasted_into_another_head_s(panel, context):
+    document = context.document
+    ada = new_project("ada")
+    document.restore(replace(ada, units=(), emotions=()), None)
+    context.view.change(muscle="risorius_L", others=frozenset({"risorius_R"}))
+    panel.tree.setFocus()
+    QTest.keyClick(panel.tree, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    document.restore(bare_project("ben"), None)
+    QTest.keyClick(panel.tree, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    assert [muscle.key for muscle in document.project.muscles] == ["risorius_L", "risorius_R"]
+    assert context.view.state.selected == {"risorius_L", "risorius_R"}
+    face = document.project.face
+    for muscle in document.project.muscles:
+        assert {kind_of_place(face, fibre.attachment)[0] for fibre in muscle.fibres} == {"vertex"}
+    assert document.history.done == ("Paste Risorius",)
+    document.undo()
+    assert document.project.muscles == ()
+
+
+def test_a_muscle_is_laid_on_the_other_side_by_its_button_and_locked_ones_stay(panel, context, desk):
+    document = context.document
+    click(panel.buttons["muscle.link"])
+    type_into(panel.properties.bars["width"], "20")
+    assert muscle_of(document.project, RIGHT).width != 20
+    context.view.lock([RIGHT])
+    click(panel.buttons["muscle.mirror"])
+    assert "locked" in desk.messages[-1]
+    context.view.lock([RIGHT], on=False)
+    context.view.change(muscle=LEFT)
+    click(panel.buttons["muscle.mirror"])
+    assert muscle_of(document.project, RIGHT).width == 20
+    assert context.view.state.selected == {RIGHT}
