@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QLabel, QLineEdit, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QSizePolicy, QToolButton, QWidget
 
 from app.actions.action import Action, perform
 from facemodel.laying.collection import renamed
@@ -21,6 +21,7 @@ from ui.panels.muscles.selection import titles
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ICON
 from ui.viewport.overlays.muscle_colours import colour_of
+from ui.widgets.narrow_choice import narrow_choice
 
 CAPTION = 8 * GRID
 
@@ -47,10 +48,8 @@ class MuscleIdentity(QWidget):
         self._edit = edit
         self.title = _line("Title", "The name for people, on both sides")
         self.name = _line("Name", "The name for files, scripts and action units")
-        self.model = QComboBox()
-        self.model.setAccessibleName("Model")
-        self.group = QComboBox()
-        self.group.setAccessibleName("Group")
+        self.model = narrow_choice("Model")
+        self.group = narrow_choice("Group", "Where it belongs in the tree, and its colour")
         for group in GROUPS:
             self.group.addItem(group.capitalize(), group)
         self.colour = ColourButton()

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 import numpy as np
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
+from PySide6.QtWidgets import QHBoxLayout, QLabel
 
 from facemodel.laying.rings import Axis, Sector, sector_of, with_axis, with_centre, with_length, with_sector
 from facemodel.muscles import Muscle
@@ -14,6 +14,7 @@ from fem.types import FloatArray
 from ui.panels.muscles.editing import MuscleEdit
 from ui.panels.muscles.place_row import CAPTION, PlaceRow
 from ui.widgets.collapsible import Collapsible
+from ui.widgets.narrow_choice import narrow_choice
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
 
@@ -40,8 +41,7 @@ class RingForm(Collapsible):
             axis: self._place(f"{axis.capitalize()} tip", f"The end of the {axis} half axis", _to_tip(axis))
             for axis in ("long", "short")
         }
-        self.half = QComboBox()
-        self.half.setAccessibleName("Part of the ring")
+        self.half = narrow_choice("Part of the ring", "All of the ring, or the half of it that pulls")
         for sector, title in HALVES.items():
             self.half.addItem(title, sector)
         self.half.activated.connect(lambda _row: self._take_half())

@@ -8,6 +8,7 @@ from app.tools.muscle_hand import MuscleHand
 from app.tools.toolbox import ToolBox
 from facemodel.laying.places import Snap
 from ui.theme.metrics import GRID
+from ui.widgets.narrow_choice import narrow_choice
 
 BONE: dict[Snap, str] = {"surface": "Origins on the bone", "vertex": "Origins on vertices", "free": "Origins free"}
 SKIN: dict[Snap, str] = {
@@ -45,9 +46,7 @@ class SnapBox(QWidget):
 
 
 def _choice(titles: dict[Snap, str], name: str, hint: str) -> QComboBox:
-    box = QComboBox()
-    box.setAccessibleName(name)
-    box.setToolTip(hint)
+    box = narrow_choice(name, hint)
     for snap, title in titles.items():
         box.addItem(title, snap)
     return box

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QRect, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPalette
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPalette, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem
 
 from app.document import Document
@@ -186,6 +186,12 @@ class MuscleTree(QTreeWidget):
         self._cells.under = QModelIndex()
         self.viewport().update()
         self.hovered.emit(frozenset())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """What is selected stays in sight."""
+        super().resizeEvent(event)
+        if self.currentIndex().isValid():
+            self.scrollTo(self.currentIndex())
 
     def _add_group(self, group: str, rows: dict[str, list[Muscle]]) -> None:
         heading = QTreeWidgetItem(self, [QUIET_TITLES.get(group, group.capitalize())])
