@@ -22,7 +22,7 @@ class RingTool(MuscleHand):
 
     id: ClassVar[str] = "ring"
     title: ClassVar[str] = "Ring"
-    shortcut: ClassVar[str] = "O"
+    shortcut: ClassVar[str] = "Shift+N"
     hint: ClassVar[str] = "Press in the middle of a sphincter and drag to the end of its ring · Shift lays it round"
 
     def begun(self, pointer: Pointer) -> Drag | None:
