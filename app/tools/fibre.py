@@ -9,6 +9,7 @@ from app.tools.laying import drafted
 from app.tools.muscle_hand import Drag, MuscleHand
 from app.tools.pointer import Pointer
 from app.tools.sight import Grip
+from facemodel.errors import MuscleError
 from facemodel.laying.fibres import added_fibre, bent, laid_fibre
 from facemodel.laying.handles import Handle
 from facemodel.muscles import Muscle
@@ -56,7 +57,7 @@ class FibreTool(MuscleHand):
 
         def made(now: Pointer) -> Muscle | None:
             if now.skin is None:
-                return None
+                raise MuscleError("A fibre ends in the skin; let go over the face.")
             fibre = laid_fibre(self._project.face, start, now.skin.position, bone=self.bone_snap, skin=self.skin_snap)
             return added_fibre(own[0], fibre) if adds else drafted(self._project, fibre)
 

@@ -9,6 +9,7 @@ import numpy as np
 from app.tools.laying import group_at
 from app.tools.muscle_hand import Drag, MuscleHand
 from app.tools.pointer import Pointer
+from facemodel.errors import MuscleError
 from facemodel.laying.collection import drafted_muscle
 from facemodel.laying.rings import laid_ring
 from facemodel.muscles import Muscle
@@ -33,7 +34,7 @@ class RingTool(MuscleHand):
 
         def made(now: Pointer) -> Muscle | None:
             if now.skin is None:
-                return None
+                raise MuscleError("A ring lies on the skin; let go over the face.")
             tip = now.skin.position
             height = float(np.linalg.norm(tip - centre)) * (1.0 if "shift" in now.modifiers else HEIGHT)
             face = self._project.face

@@ -186,3 +186,12 @@ def test_a_ring_is_selected_by_a_click_on_it(editor):
     outer = ring.centre + (ring.long_axis if ring.long_axis[0] > 0 else -ring.long_axis)
     QTest.mouseClick(editor.viewport.canvas, LEFT, pos=pixel(editor, outer))
     assert editor.context.view.state.muscle == "orbicularis_oculi_palpebralis_L"
+
+
+def test_nothing_is_laid_beside_the_face_and_why_is_said(editor):
+    work = editor.context.document
+    editor.context.view.change(muscle="")
+    start = pixel(editor, muscle_of(work.project, SMILE).fibres[0].origin)
+    drag(editor, start, QPoint(10 - start.x(), 10 - start.y()))
+    assert work.history.done == ()
+    assert editor.status.hint.text() == "A fibre ends in the skin; let go over the face."

@@ -8,7 +8,7 @@ from PySide6.QtGui import QCursor
 from app.tools.sight import Ghost
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import MODELS
-from fem.types import Float32Array, FloatArray
+from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.colour_map import cividis
 from ui.viewport.complexion import smooth
 from ui.viewport.look import at_points
@@ -20,8 +20,11 @@ from ui.viewport.overlays.supports import points_of_vertices
 from ui.widgets.legend_card import Legend, LegendCard
 from ui.workspaces.workspace import Parts
 
-STRONGEST = 160
-"""Arrows drawn of a muscle in the hand; more of them hide what they stand on."""
+STRONGEST = 120
+"""Arrows drawn of a muscle in the hand at most."""
+
+APART = 0.014
+"""Height of the picture in which there is one arrow, the strongest: more of them hide what they stand on."""
 
 
 class FibreGhost:
@@ -99,7 +102,16 @@ class FibreGhost:
         posed = drawn.figure.posed
         at = points_of_vertices(drawn.project.face, posed.basis.display)[field.vertices]
         places = posed.points[at] + LIFT * posed.normals[at]
-        self._arrows.show(places, field.vectors, 2 * drawn.half_height)
+        kept = _apart(places, field.vectors, 2 * APART * drawn.half_height)
+        self._arrows.show(places[kept], field.vectors[kept], 2 * drawn.half_height)
+
+
+def _apart(places: FloatArray, vectors: FloatArray, gap: float) -> IntArray:
+    """The strongest vector in every cube of some width, (k,) of the places (n, 3)."""
+    order = np.argsort(-np.linalg.norm(vectors, axis=1), kind="stable")
+    cells = np.floor(places[order] / gap).astype(np.int64)
+    _, first = np.unique(cells, axis=0, return_index=True)
+    return np.asarray(order[first])
 
 
 def _legend(muscle: Muscle, most: float) -> Legend:
