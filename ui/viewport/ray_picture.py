@@ -124,10 +124,12 @@ def _hits(
         rays = np.ascontiguousarray(starts[first : first + AT_ONCE])
         ways = np.ascontiguousarray(np.broadcast_to(along, rays.shape))
         found, _, inner = tree.intersect_ray_first(points, triangles, rays, ways)
-        place = slice(first, first + len(rays))
-        met[place] = np.reshape(found, -1)
-        inner = np.reshape(inner, (-1, inner.shape[-1]))[:, :2]
-        shares[place] = np.column_stack([1 - inner.sum(axis=1), inner])
+        found = np.reshape(found, -1)
+        # The shares of a ray that meets nothing are memory that nobody wrote.
+        hit = np.flatnonzero(found >= 0)
+        inner = np.reshape(inner, (len(rays), -1))[hit, :2]
+        met[first : first + len(rays)] = found
+        shares[first + hit] = np.column_stack([1 - inner.sum(axis=1), inner])
         # Who waits for the interpreter gets it while this thread sleeps.
         time.sleep(0)
         turn()
