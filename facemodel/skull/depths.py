@@ -10,6 +10,7 @@ import numpy as np
 
 from facemodel.face import Face, Skull
 from facemodel.mesh import Mesh
+from facemodel.skull.naming import spoken
 from facemodel.system import solved_vertices
 from fem.types import BoolArray, FloatArray, IntArray
 
@@ -112,6 +113,4 @@ def _where(face: Face, vertex: int) -> str:
         return f" at vertex {vertex}"
     names = list(face.landmarks)
     places = face.skin.positions[list(face.landmarks.values())]
-    name = names[int(np.linalg.norm(places - face.skin.positions[vertex], axis=1).argmin())]
-    side = {"_L": ", left", "_R": ", right"}.get(name[-2:], "")
-    return f" near the {name.removesuffix('_L').removesuffix('_R').replace('_', ' ')}{side}"
+    return f" near the {spoken(names[int(np.linalg.norm(places - face.skin.positions[vertex], axis=1).argmin())])}"

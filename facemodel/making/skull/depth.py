@@ -9,36 +9,10 @@ import numpy as np
 from scipy.interpolate import RBFInterpolator
 
 from facemodel.face import Eye
-from facemodel.making.landmarks import MIDLINE
 from facemodel.making.skull.envelope import envelope, face_size, inward
 from facemodel.mesh import Mesh
+from facemodel.skull.tissue_depths import table
 from fem.types import FloatArray, IntArray
-
-DEPTHS: Mapping[str, float] = {
-    "supraglabella": 4.5,
-    "glabella": 4.5,
-    "nasion": 7.0,
-    "rhinion": 2.5,
-    "mid_philtrum": 10.0,
-    "upper_lip_incisor": 11.0,
-    "lower_lip_incisor": 12.0,
-    "chin_lip_fold": 10.0,
-    "pogonion": 13.0,
-    "menton": 8.0,
-    "frontal_eminence": 4.0,
-    "supraorbital": 8.5,
-    "suborbital": 6.0,
-    "inferior_malar": 12.0,
-    "lateral_orbit": 11.0,
-    "zygion": 7.0,
-    "supraglenoid": 6.0,
-    "gonion": 10.0,
-    "upper_second_molar": 26.0,
-    "mid_masseter": 17.5,
-    "lower_second_molar": 19.5,
-}
-"""Skin to bone at landmarks of adults, millimetres: Rhine and Taylor, but for the molars the later table, whose
-deeper cheeks leave the tooth rows the width of a dental arch."""
 
 SCALP = 5.5
 EAR = 9.0
@@ -52,16 +26,6 @@ the mouth, and the neck, whose column stands in for bone."""
 SCALP_RAYS: list[tuple[float, float, float]] = [(0, 1, 0), (0, 1, 1), (0, 1, -1), (0, 0.1, -1), (0, 0.6, 1)]
 SCALP_RAYS += [(x, y, z) for x in (-1, 1) for y, z in ((0.7, 0), (1, 1), (0.2, -1), (0.8, -0.6))]
 """Directions from the middle of the head in which the scalp's depth is set."""
-
-
-def sided(name: str) -> tuple[str, ...]:
-    """The landmark's name, or its names on both sides."""
-    return (name,) if name in MIDLINE else (f"{name}_L", f"{name}_R")
-
-
-def table() -> dict[str, float]:
-    """Depth by landmark, both sides written out."""
-    return {full: depth for name, depth in DEPTHS.items() for full in sided(name)}
 
 
 BETWEEN: Mapping[tuple[str, str], float] = {
