@@ -1,4 +1,4 @@
-"""The skull of a project: moved, brought back; muscles, hinge and springs go with it."""
+"""The skull of a project: moved, snapped, brought back, replaced; muscles, hinge and springs go with it."""
 
 from __future__ import annotations
 
@@ -7,10 +7,15 @@ from dataclasses import replace
 from facemodel.errors import SkullError
 from facemodel.face import Pose, Skull
 from facemodel.faces import face_keys, load_face
+from facemodel.mesh import Mesh
 from facemodel.project import Project
 from facemodel.sameness import same
+from facemodel.skull.importing import skull_of
+from facemodel.skull.jaw_region import with_jaw
 from facemodel.skull.origins import with_origins_carried, with_origins_settled
 from facemodel.skull.placement import placed, way_between
+from facemodel.skull.snapping import snapped
+from fem.types import BoolArray
 
 
 def with_pose(project: Project, pose: Pose, origins: bool = True) -> Project:
@@ -34,6 +39,41 @@ def with_pose(project: Project, pose: Pose, origins: bool = True) -> Project:
     if origins:
         muscles = with_origins_carried(muscles, face, way_between(face.skull, pose))
     return replace(project, face=replace(face, skull=skull), muscles=muscles)
+
+
+def snapped_to_depths(project: Project, scales: bool = True, origins: bool = True) -> Project:
+    """A project whose skull lies as deep under the landmarks as tables of tissue depth say, as nearly as it can.
+
+    Raises
+    ------
+    SkullError
+        If its face has too few landmarks, or the skull would have to leave the head.
+    """
+    return with_pose(project, snapped(project.face, scales), origins)
+
+
+def with_jaw_region(project: Project, region: BoolArray) -> Project:
+    """A project whose jaw is a region (M,) of its skull's vertices; raises as `facemodel.skull.jaw_region.with_jaw`."""
+    return replace(project, face=with_jaw(project.face, region))
+
+
+def with_bone(project: Project, bone: Mesh, origins: bool = True) -> Project:
+    """A project whose skull is made of bone that lies in its head, one closed mesh in millimetres.
+
+    Raises
+    ------
+    SkullError
+        If the bone does not lie in the head.
+    """
+    return with_skull(project, skull_of(project.face, bone, known_skull(project)), origins)
+
+
+def known_skull(project: Project) -> Skull:
+    """A skull of the same head whose jaw, hinge and springs are known: the shipped one, else its own at rest."""
+    try:
+        return template_of(project)
+    except SkullError:
+        return placed(project.face, Pose())
 
 
 def with_skull(project: Project, skull: Skull, origins: bool = True) -> Project:
