@@ -52,6 +52,8 @@ class Canvas(QtInteractor):
         self._still = QTimer(self, singleShot=True, interval=round(1000 * STILL))
         self._still.timeout.connect(self._refine)
         self.setAcceptDrops(False)
+        # Pyvista would put a style of VTK's in force at every double click, which turns and rolls the head.
+        self.iren.untrack_click_position("left")
         self._ready = True
         self.iren.interactor.EnableRenderOff()
         self.iren.interactor.AddObserver("RenderEvent", lambda *_: self.ask_frame())

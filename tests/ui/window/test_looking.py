@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QMessageBox
 
 from tests.ui.hands import enter, leave
 from tests.ui.window.seen import differs, picture
+from tests.ui.workspaces.test_switching import camera
 from ui.panels.muscle_text import muscle_label
 
 Button = QMessageBox.StandardButton
@@ -100,3 +101,14 @@ def test_the_turntable_turns_until_it_is_stopped(window):
     still = picture(window)
     QTest.qWait(150)
     assert not differs(picture(window), still)
+
+
+def test_a_double_click_on_the_face_leaves_the_left_button_to_the_tools(window):
+    canvas, middle = window.viewport.canvas, window.viewport.canvas.rect().center()
+    before = camera(window)
+    for _ in range(2):
+        QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=middle)
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=middle)
+    QTest.mouseMove(canvas, middle + QPoint(60, 40))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=middle + QPoint(60, 40))
+    assert camera(window) == before
