@@ -140,7 +140,7 @@ def by_axes(start: FloatArray, goal: FloatArray, way: FloatArray, scale: FloatAr
         missed = offset @ linear.T + numbers[3:6] - goal
         return np.concatenate([missed.ravel(), EVEN * (numbers[6:] - numbers[6:].mean())])
 
-    found = least_squares(left, np.concatenate([turn, aim, np.log(scale)]), x_scale=UNITS).x
+    found = least_squares(left, np.concatenate([turn, aim, np.log(scale)]), x_scale=UNITS, method="lm").x
     own = np.exp(found[6:])
     return _way(Rotation.from_rotvec(found[:3]).as_matrix() * own, middle, found[3:6]), own
 

@@ -8,17 +8,18 @@ import igl
 import numpy as np
 
 from facemodel.errors import SkullError
-from facemodel.face import Face, Pose, Skull
+from facemodel.face import AT_REST, Face, Pose, Skull
 from facemodel.mesh import Mesh
 from facemodel.skull.depths import whole
 from facemodel.skull.placement import LARGEST, SMALLEST, carried, checked, pivot_of, pose_matrix, way_between
 from facemodel.skull.tissue_depths import table
+from facemodel.system import solved_vertices
 from fem.types import FloatArray
 
 FEWEST = 6
 """Landmarks with a known depth; fewer do not say where a skull lies."""
 
-ROUNDS = 40
+ROUNDS = 30
 """Steps at most; from a centimetre off a skull has settled after some ten."""
 
 SETTLED = 0.01
@@ -26,6 +27,10 @@ SETTLED = 0.01
 
 COMMON = 3.0
 """Millimetres by which a depth may miss and still count fully: cheeks of other people are so much thicker."""
+
+COVERED, COVERED_STEP, COVERED_WEIGHT = 1.5, 7, 0.5
+"""Millimetres that bone must lie under all of the face, every how manieth vertex is looked at for it, and how much one
+counts against a landmark."""
 
 RELUCTANCE = np.array([0.05, 0.05, 0.05, 0.10, 0.10, 0.10, 40.0, 40.0, 40.0])
 """What holds back a step, per millimetre, degree and factor of scale: where the depths do not tell, nothing moves."""
@@ -39,10 +44,24 @@ NUDGE = np.array([1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-5, 1e-5, 1e-5])
 
 @dataclass(frozen=True, eq=False)
 class Targets:
-    """Places (n, 3) of the skin and the depths (n,) that are wanted there."""
+    """Places of the skin under which bone is wanted.
+
+    Attributes
+    ----------
+    places : (n, 3)
+    depths : (n,) millimetres
+    known : how many of them, the first ones, are landmarks; bone may lie deeper than it should under all others
+    """
 
     places: FloatArray
     depths: FloatArray
+    known: int
+
+    def missed(self, depth: FloatArray) -> FloatArray:
+        """By how much (n,) depths (n,) are not what they should be."""
+        off = depth - self.depths
+        off[self.known :] = np.minimum(off[self.known :], 0.0)
+        return off
 
 
 def targets_of(face: Face) -> Targets:
@@ -59,15 +78,17 @@ def targets_of(face: Face) -> Targets:
             f"“{face.title}” has {len(wanted)} landmarks whose depth is known and at least {FEWEST} are needed; "
             "place its skull by hand."
         )
-    return Targets(face.skin.positions[[face.landmarks[name] for name in wanted]], np.array(list(wanted.values())))
+    marks, covered = [face.landmarks[name] for name in wanted], solved_vertices(face)[::COVERED_STEP]
+    depths = np.concatenate([list(wanted.values()), np.full(len(covered), COVERED)])
+    return Targets(face.skin.positions[[*marks, *covered]], depths, len(marks))
 
 
 def snapped(face: Face, scales: bool = True) -> Pose:
     """The pose in which the bone of a face lies as near to the depths of the tables as it can.
 
-    From where the skull lies, Gauss-Newton on the depths: in every step the nearest places of the bone are held fixed
-    on it, and the pose goes where their depths, weighted so that a few odd ones do not count more than the many, miss
-    least.
+    Gauss-Newton on the depths, from where the skull lies and from where it was made; the one that ends nearer is taken.
+    In every step the nearest places of the bone are held fixed on it, and the pose goes where their depths, weighted so
+    that a few odd ones do not count more than the many, miss least.
 
     Parameters
     ----------
@@ -78,12 +99,19 @@ def snapped(face: Face, scales: bool = True) -> Pose:
     SkullError
         If the face has too few landmarks, or the skull would have to leave the head.
     """
-    targets, skull = targets_of(face), face.skull
+    targets, pose = targets_of(face), face.skull.placement.pose
+    starts = (pose, Pose(scale=AT_REST.scale if scales else pose.scale))
+    ends = [_settled(face.skull, targets, start, scales) for start in dict.fromkeys(starts)]
+    return checked(_pose(np.round(min(ends, key=lambda end: end[1])[0], 4)))
+
+
+def _settled(skull: Skull, targets: Targets, start: Pose, scales: bool) -> tuple[FloatArray, float]:
+    """The numbers (9,) of a pose that has settled, and by how much its depths miss, rms."""
     at_rest = _pose_back(skull)
-    numbers, free = _numbers(skull.placement.pose), slice(None, None if scales else 6)
+    numbers, free = _numbers(start), slice(None, None if scales else 6)
     for _ in range(ROUNDS):
         missed, slope = _linearised(skull, at_rest, targets, numbers)
-        weight = 1 / np.sqrt(np.maximum(np.abs(missed) / max(COMMON, 2 * float(np.median(np.abs(missed)))), 1.0))
+        weight = _weights(missed, targets.known)
         rows = np.concatenate([weight[:, None] * slope[:, free], np.diag(RELUCTANCE[free])])
         goal = np.concatenate([-weight * missed, np.zeros(rows.shape[1])])
         step = np.linalg.lstsq(rows, goal, rcond=None)[0]
@@ -91,7 +119,16 @@ def snapped(face: Face, scales: bool = True) -> Pose:
         numbers[6:] = np.clip(numbers[6:], SMALLEST, LARGEST)
         if np.abs(slope[:, free] @ step).max() < SETTLED:
             break
-    return checked(_pose(np.round(numbers, 4)))
+    missed = _linearised(skull, at_rest, targets, numbers)[0]
+    return numbers, float(np.sqrt(((_weights(missed, targets.known) * missed) ** 2).mean()))
+
+
+def _weights(missed: FloatArray, known: int) -> FloatArray:
+    """How much (n,) each place counts: landmarks that miss far more than most count less than they would."""
+    usual = max(COMMON, 2 * float(np.median(np.abs(missed[:known]))))
+    weight = np.full(len(missed), COVERED_WEIGHT)
+    weight[:known] = 1 / np.sqrt(np.maximum(np.abs(missed[:known]) / usual, 1.0))
+    return weight
 
 
 def _pose_back(skull: Skull) -> Mesh:
@@ -116,7 +153,9 @@ def _linearised(skull: Skull, at_rest: Mesh, targets: Targets, numbers: FloatArr
         nudged[number] += nudge
         moved = carried(local, pose_matrix(_pose(nudged), pivot)) - places
         slope[:, number] = -np.einsum("ij,ij->i", moved, outward) / nudge
-    return depth - targets.depths, slope
+    missed = targets.missed(depth)
+    slope[targets.known :][missed[targets.known :] == 0] = 0.0
+    return missed, slope
 
 
 def _numbers(pose: Pose) -> FloatArray:

@@ -20,7 +20,7 @@ FACE = load_face("ada")
 OWN_MISS = 1.2
 """Millimetres rms by which the modelled bone of the shipped face misses the tables: crowns and rounded edges."""
 
-way = st.tuples(*[st.floats(-10, 10)] * 3)
+way = st.tuples(*[st.floats(-25, 25)] * 3)
 turn = st.tuples(*[st.floats(-6, 6)] * 3)
 scale = st.tuples(*[st.floats(0.88, 1.12)] * 3)
 
@@ -56,7 +56,7 @@ def test_a_skull_that_may_not_be_scaled_is_moved_and_turned_alone(shift, turn) -
     before = Pose(shift, turn, (0.97, 1.02, 1.0))
     pose = snapped(posed(before), scales=False)
     assert pose.scale == before.scale
-    assert miss(posed(pose)) < max(0.8 * miss(posed(before)), 2 * OWN_MISS)
+    assert miss(posed(pose)) < 2 * OWN_MISS
 
 
 def test_bone_that_comes_through_the_skin_is_drawn_in() -> None:
