@@ -31,6 +31,7 @@ class FileQuestion:
     suffix : their ending, with the dot
     start : the file or folder to begin with
     writes : whether the file is to be written
+    also : further endings that such files may have
     """
 
     title: str
@@ -38,6 +39,7 @@ class FileQuestion:
     suffix: str
     start: Path
     writes: bool
+    also: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.errors import UnitError
+from facemodel.errors import SkullError
 from facemodel.project import Project
 from fem.types import FloatArray
 
@@ -19,14 +19,14 @@ def with_jaw_axis(project: Project, right: FloatArray, left: FloatArray) -> Proj
 
     Raises
     ------
-    UnitError
+    SkullError
         If they are no points, too near to each other, or on each other's side.
     """
     axis = np.array([right, left], dtype=np.float64)
     if not np.isfinite(axis).all():
-        raise UnitError("An end of the jaw’s axis is nowhere; place both ends anew.")
+        raise SkullError("An end of the jaw’s axis is nowhere; place both ends anew.")
     if axis[1, 0] - axis[0, 0] < NARROWEST:
-        raise UnitError(
+        raise SkullError(
             f"The ends of the jaw’s axis are {axis[1, 0] - axis[0, 0]:.0f} mm apart from right to left; "
             f"place them at least {NARROWEST:g} mm apart, the subject’s right one first."
         )

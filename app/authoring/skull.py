@@ -11,9 +11,10 @@ from facemodel.mesh import Mesh
 from facemodel.project import Project
 from facemodel.sameness import same
 from facemodel.skull.importing import skull_of
-from facemodel.skull.jaw_region import with_jaw
+from facemodel.skull.jaw_proposal import proposed_jaw
+from facemodel.skull.jaw_region import whole_skull, with_jaw
 from facemodel.skull.origins import with_origins_carried, with_origins_settled
-from facemodel.skull.placement import placed, way_between
+from facemodel.skull.placement import carried, placed, way_between
 from facemodel.skull.snapping import snapped
 from fem.types import BoolArray
 
@@ -68,6 +69,13 @@ def with_bone(project: Project, bone: Mesh, origins: bool = True) -> Project:
     return with_skull(project, skull_of(project.face, bone, known_skull(project)), origins)
 
 
+def proposed_region(project: Project) -> BoolArray:
+    """Vertices (M,) of the skull that may be its jaw, numbered as by `facemodel.skull.jaw_region.whole_skull`."""
+    skull = project.face.skull
+    bone, back = whole_skull(skull).mesh, way_between(skull, Pose())
+    return proposed_jaw(bone.moved(carried(bone.positions, back)), known_skull(project))
+
+
 def known_skull(project: Project) -> Skull:
     """A skull of the same head whose jaw, hinge and springs are known: the shipped one, else its own at rest."""
     try:
@@ -99,6 +107,14 @@ def at_template(project: Project, origins: bool = True) -> Project:
         # The same bone, only moved: what comes from it is back already, but for rounding.
         return replace(back, face=replace(back.face, skull=skull))
     return with_skull(back, skull, origins)
+
+
+def has_template(project: Project) -> bool:
+    """Whether there is a skull to go back to, and the project has another one."""
+    try:
+        return not same(template_of(project), project.face.skull)
+    except SkullError:
+        return False
 
 
 def template_of(project: Project) -> Skull:

@@ -13,7 +13,8 @@ Button = QMessageBox.StandardButton
 
 def ask_path(parent: QWidget, question: FileQuestion) -> Path | None:
     """A file chosen in the system's dialog; none if the person thought better of it."""
-    kinds = f"{question.kind} (*{question.suffix})"
+    endings = " ".join(f"*{suffix}" for suffix in (question.suffix, *question.also))
+    kinds = f"{question.kind} ({endings})"
     ask = QFileDialog.getSaveFileName if question.writes else QFileDialog.getOpenFileName
     chosen, _kind = ask(parent, question.title, str(question.start), kinds)
     return Path(chosen) if chosen else None
