@@ -1,9 +1,13 @@
 """Tools: what the hand on the face does, as press, move and release; no window and no pixel but the lasso's."""
 
+from app.tools.bone_brush import BoneBrush
+from app.tools.bone_lasso import BoneLasso
+from app.tools.bone_part import BonePart
 from app.tools.brush import BrushTool
 from app.tools.brush_state import BrushState, HandBrush
 from app.tools.fibre import FibreTool
 from app.tools.fill import FillTool
+from app.tools.jaw_axis import JawAxisTool
 from app.tools.lasso import LassoTool
 from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
 from app.tools.pointer import Hit, Pointer, Projector, Ray, skin_hit, skull_hit
@@ -11,27 +15,25 @@ from app.tools.ring import RingTool
 from app.tools.sculpt import SculptTool
 from app.tools.sculpt_state import HandSculpt, SculptState
 from app.tools.select import SelectTool
-from app.tools.sight import Ghost, Grip, Ring, Sight, Working
+from app.tools.sight import Ball, Ghost, Grip, Ring, Sight, Working
+from app.tools.skull_landmark import LandmarkTool
 from app.tools.tool import Bench, Tool
 from app.tools.toolbox import ToolBox
 
-TOOLS = (
-    SelectTool,
-    SculptTool,
-    BrushTool,
-    LassoTool,
-    FillTool,
-    FibreTool,
-    RingTool,
-    MoveSkull,
-    TurnSkull,
-    ScaleSkull,
-)
+SKULL_TOOLS = (MoveSkull, TurnSkull, ScaleSkull, BoneBrush, BoneLasso, BonePart, JawAxisTool, LandmarkTool)
+"""Those of the Skull workspace."""
+
+TOOLS = (SelectTool, SculptTool, BrushTool, LassoTool, FillTool, FibreTool, RingTool, *SKULL_TOOLS)
 """All tools, in the order in which they are shown."""
 
 __all__ = [
+    "SKULL_TOOLS",
     "TOOLS",
+    "Ball",
     "Bench",
+    "BoneBrush",
+    "BoneLasso",
+    "BonePart",
     "BrushState",
     "BrushTool",
     "FibreTool",
@@ -41,6 +43,8 @@ __all__ = [
     "HandBrush",
     "HandSculpt",
     "Hit",
+    "JawAxisTool",
+    "LandmarkTool",
     "LassoTool",
     "MoveSkull",
     "Pointer",

@@ -19,7 +19,7 @@ from fem.types import FloatArray
 
 Mode = Literal["move", "turn", "scale"]
 
-ARM = 92.0
+ARM = 104.0
 """Pixels from the middle to the end of a handle."""
 
 RING = 0.92

@@ -25,11 +25,17 @@ class PlaceTool(Tool):
 
     mode: ClassVar[Mode]
     workspaces: ClassVar[frozenset[Workspace]] = frozenset(("skull",))
+    asks_skin: ClassVar[bool] = False
 
     def __init__(self, bench: Bench) -> None:
         super().__init__(bench)
         self._pull: Pull | None = None
         self._pose: Pose | None = None
+
+    @property
+    def usable(self) -> bool:
+        """Not while another skull is fitted, in whose place the own one is not seen."""
+        return not self.bench.fitting.on
 
     def press(self, pointer: Pointer) -> None:
         """Take hold of a handle."""

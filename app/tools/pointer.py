@@ -88,8 +88,14 @@ class Projector(Protocol):
     def millimetres(self, place: FloatArray | None = None) -> float:
         """Width of a pixel at a place (3,), or at what the camera looks at."""
 
+    def towards(self, place: FloatArray) -> FloatArray:
+        """The unit direction (3,) from a place (3,) to the eye."""
+
     def skin_on_screen(self) -> tuple[FloatArray, BoolArray]:
         """Pixels (N, 2) of every skin vertex as it is posed, and whether (N,) it faces the eye and can be seen."""
+
+    def bone_on_screen(self) -> tuple[FloatArray, BoolArray]:
+        """Pixels (M, 2) of every vertex of the whole skull as it is drawn, and whether (M,) no bone hides it."""
 
 
 def skin_hit(face: Face, triangle: int, barycentric: FloatArray) -> Hit:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from psygnal import Signal
 
-from app.tools.pointer import Hit
+from app.tools.pointer import Hit, Surface
 from facemodel.laying.handles import Handle
 from facemodel.laying.influence import Arrows
 from facemodel.muscles import Muscle
@@ -75,6 +75,22 @@ class Grip:
     handle: Handle
 
 
+@dataclass(frozen=True, eq=False)
+class Ball:
+    """What a brush on bone would select: all within a radius of a place of the bone at rest.
+
+    Attributes
+    ----------
+    centre : (3,) millimetres
+    radius : millimetres
+    surface : the bone under the pointer
+    """
+
+    centre: FloatArray
+    radius: float
+    surface: Surface
+
+
 class Sight:
     """The drawn things of the tool in hand; the viewport listens, and draws each of them when it comes."""
 
@@ -94,6 +110,14 @@ class Sight:
     """(Pose of the skull while it is moved | None where the project has it)"""
     part_changed = Signal(object)
     """(Part of the handles about the skull that would be taken, or is held | None)"""
+    ball_changed = Signal(object)
+    """(Ball about the pointer on the bone | None)"""
+    axis_changed = Signal(object)
+    """(ends (2, 3) of the jaw's axis while they are dragged | None where the project has them)"""
+    end_changed = Signal(object)
+    """(number of the end of the jaw's axis that would be taken, or is held | None)"""
+    landmark_changed = Signal(str)
+    """(name of the landmark of the skin that is asked about, empty for none)"""
     pointed_changed = Signal(str)
     """(key of the muscle under the pointer, empty for none)"""
 
@@ -114,4 +138,8 @@ class Sight:
         self.outline_changed.emit(None)
         self.pose_changed.emit(None)
         self.part_changed.emit(None)
+        self.ball_changed.emit(None)
+        self.axis_changed.emit(None)
+        self.end_changed.emit(None)
+        self.landmark_changed.emit("")
         self.point_at("")

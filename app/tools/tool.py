@@ -5,8 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+from app.bone_watch import BoneWatch
 from app.document import Document
+from app.jobs import Deliver
 from app.muscle_pulls import MusclePulls
+from app.skull_fitting import SkullFitting
+from app.skull_import import SkullImport
+from app.skull_snap import SkullSnap
+from app.tools.bones import Bones
 from app.tools.brush_state import HandBrush
 from app.tools.ground import Ground
 from app.tools.pointer import Pointer, Projector
@@ -30,10 +36,16 @@ class Bench:
     brush : how it is painted
     sculpt : how it is sculpted
     regions : selected and locked parts of the skin
+    bones : selected bone
+    fitting : the skull from elsewhere that is being fitted
+    watch : what is found out about the skull of the document
+    importing : brings skulls from files to be fitted
+    snapping : lays the skull where the tissue is as deep as tables say
     sight : what is drawn while working
     pulls : where muscles pull
     ground : the skin to paint on
     projector : how the viewport sees the skin; none without one
+    deliver : brings a call to the thread of the window; none without one, and nothing is then done in the background
     """
 
     document: Document
@@ -41,10 +53,27 @@ class Bench:
     brush: HandBrush = field(default_factory=HandBrush)
     sculpt: HandSculpt = field(default_factory=HandSculpt)
     regions: Regions = field(default_factory=Regions)
+    bones: Bones = field(default_factory=Bones)
+    fitting: SkullFitting = field(default_factory=SkullFitting)
     sight: Sight = field(default_factory=Sight)
     pulls: MusclePulls = field(default_factory=MusclePulls)
     ground: Ground = field(default_factory=Ground)
     projector: Projector | None = None
+    deliver: Deliver | None = None
+    watch: BoneWatch = field(init=False)
+    importing: SkullImport = field(init=False)
+    snapping: SkullSnap = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.watch = BoneWatch(self.document)
+        self.importing = SkullImport(self.document, self.fitting)
+        self.snapping = SkullSnap(self.document)
+
+    def clear(self) -> None:
+        """Stop whatever is done in the background; nobody will hear of it any more."""
+        self.importing.stop()
+        self.snapping.stop()
+        self.watch.leave()
 
 
 class Tool:
@@ -56,7 +85,7 @@ class Tool:
     shortcut : key in Qt's portable spelling
     hint : one line for the status bar while it is in hand
     workspaces : where it is offered
-    asks_skull : whether the pointer is to tell the place on the skull too
+    asks_skin, asks_skull : whether the pointer is to tell the place on the skin, and that on the skull
     busy : whether a gesture is under way
 
     Parameters
@@ -69,6 +98,7 @@ class Tool:
     shortcut: ClassVar[str] = ""
     hint: ClassVar[str] = ""
     workspaces: ClassVar[frozenset[Workspace]] = EVERYWHERE
+    asks_skin: ClassVar[bool] = True
     asks_skull: ClassVar[bool] = False
 
     def __init__(self, bench: Bench) -> None:
@@ -84,6 +114,9 @@ class Tool:
     def advice(self) -> str:
         """One line for the status bar as things are now."""
         return self.hint
+    def usable(self) -> bool:
+        """Whether there is anything to use it on; else it is not offered."""
+        return True
 
     def press(self, pointer: Pointer) -> None:
         """The left button goes down: a gesture may begin, which makes the tool busy."""

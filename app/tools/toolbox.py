@@ -44,7 +44,8 @@ class ToolBox:
     def tool(self) -> Tool:
         """The tool in hand; every workspace remembers its own."""
         workspace = self.bench.view.state.workspace
-        return self._in_hand.get(workspace) or self.offered(workspace)[0]
+        held = self._in_hand.get(workspace)
+        return held if held is not None and held.usable else self.offered(workspace)[0]
 
     @property
     def busy(self) -> bool:
@@ -52,8 +53,8 @@ class ToolBox:
         return self._busy
 
     def offered(self, workspace: Workspace) -> tuple[Tool, ...]:
-        """The tools of a workspace."""
-        return tuple(tool for tool in self.tools if workspace in tool.workspaces)
+        """The tools of a workspace that there is use for."""
+        return tuple(tool for tool in self.tools if workspace in tool.workspaces and tool.usable)
 
     def take(self, tool_id: str) -> None:
         """Take another tool in hand.
