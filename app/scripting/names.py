@@ -10,7 +10,6 @@ import numpy as np
 from app.authoring import emotions, pad, units
 from app.authoring.blending import blended
 from app.authoring.facs_table import filled_from_facs
-from app.authoring.jaw import with_jaw_axis
 from app.expression_clipboard import expressions_of, expressions_text, with_pasted
 from app.expression_text import format_expression, parse_expression
 from app.scripting.animating import PUBLIC, Animating
@@ -18,6 +17,7 @@ from app.scripting.desk import ScriptDesk
 from app.scripting.muscle_handle import MuscleHandle
 from app.scripting.muscle_names import MuscleNames
 from app.scripting.painting import Painter, Where
+from app.scripting.skull_handle import SkullHandle
 from app.scripting.unit_handle import UnitHandle
 from app.superposition_check import Posed, check_superposition
 from facemodel.actions import Place, expand, find_emotion, resolve
@@ -48,7 +48,8 @@ class Names:
         own.pop("namespace")
         painting = {name: getattr(self._painter, name) for name in ("paint", "values", "set_values", "layers", "place")}
         animating = {name: getattr(self._animating, name) for name in PUBLIC}
-        return {**own, **painting, **animating, **self._laying.namespace(), "np": np}
+        skull = SkullHandle(self._desk, self._painter)
+        return {**own, **painting, **animating, **self._laying.namespace(), "skull": skull, "np": np}
 
     def face(self) -> Face:
         """The face as it is now, a frozen value."""
@@ -98,8 +99,7 @@ class Names:
 
     def jaw_axis(self, right: Where, left: Where) -> None:
         """Let the jaw turn about the line through two places, the subject's right condyle and the left one."""
-        ends = self._painter.place(right), self._painter.place(left)
-        self._desk.edit(lambda project: with_jaw_axis(project, *ends), "Place the jaw’s axis")
+        SkullHandle(self._desk, self._painter).jaw_axis(right, left)
 
     def expression(self) -> str:
         """What is shown, as text such as ``12L=0.8 12R=0.8``."""
