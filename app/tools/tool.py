@@ -114,6 +114,8 @@ class Tool:
     def advice(self) -> str:
         """One line for the status bar as things are now."""
         return self.hint
+
+    @property
     def usable(self) -> bool:
         """Whether there is anything to use it on; else it is not offered."""
         return True

@@ -77,7 +77,7 @@ QPushButton:pressed { background: $line; }
 QPushButton:focus { border-color: $accent; }
 QPushButton:default { background: $accent; color: $on_accent; border-color: $accent; }
 QPushButton:default:hover { background: $accent_hover; }
-QPushButton:disabled { color: $faint; background: $panel; }
+QPushButton:disabled { color: $faint; background: $panel; border-color: $line; }
 QPushButton[role="quiet"] { background: transparent; color: $muted; }
 QPushButton[role="quiet"]:hover { background: $hover; color: $text; }
 QPushButton[role="status"] { min-height: 18px; padding: 0 8px; font-size: ${small}px; }

@@ -92,6 +92,25 @@ def look_from(camera: vtkCamera, frame: Frame, view: str, aspect: float) -> None
     look_along(camera, frame, *DIRECTIONS[view], aspect)
 
 
+def level(facing: FloatArray) -> FloatArray:
+    """A direction (3,) to look from as a unit vector, not too steep for the head to stay upright."""
+    flat = float(np.hypot(facing[0], facing[2]))
+    high = float(np.clip(facing[1], -flat, flat)) if flat > 0 else 0.0
+    made = np.array([facing[0], high, facing[2]]) if flat > 0 else np.array([0.0, 0.0, 1.0])
+    return np.asarray(made / np.linalg.norm(made))
+
+
+def look_closely(renderer: vtkRenderer, centre: FloatArray, towards: FloatArray, half: float) -> None:
+    """Look at a place (3,) from a unit direction (3,), with so many millimetres of it above and below."""
+    camera = renderer.GetActiveCamera()
+    distance = half / np.tan(np.radians(camera.GetViewAngle() / 2))
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(centre + distance * towards))
+    camera.SetViewUp(*UP)
+    camera.SetParallelScale(half)
+    renderer.ResetCameraClippingRange()
+
+
 def look_along(camera: vtkCamera, frame: Frame, azimuth: float, elevation: float, aspect: float) -> None:
     """Set the camera to a direction and as near as the frame allows."""
     towards = direction(azimuth, elevation)

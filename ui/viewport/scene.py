@@ -28,6 +28,8 @@ from ui.viewport.camera import (
     Frame,
     aspect_of,
     head_frame,
+    level,
+    look_closely,
     look_from,
     orbit,
     picture_scale,
@@ -50,6 +52,9 @@ from ui.viewport.shading import Ghost
 Coat = Callable[[Drawn], Float32Array | None]
 """Makes colours (P, 4) of what is drawn, or None."""
 
+CLOSE = 32.0
+"""Half the height of the picture, millimetres, in which a place of the face is looked at."""
+
 RESCALED = 0.02
 """Change of the picture's scale after which what has a size on the screen is made anew."""
 
@@ -66,6 +71,7 @@ class Scene:
     plotter, renderer : where it draws
     figure : the face as it is drawn; none before the first project
     coat : paints the skin where nothing glows, before influence and supports do; then call `repaint`
+    skull : the bone, which can be carried and dyed
     state : what is shown
     """
 
@@ -76,8 +82,9 @@ class Scene:
         self.state = ViewState()
         self._drawn: Drawn | None = None
         self.coat: Coat | None = None
+        self.skull = SkullOverlay(self.renderer)
         self._overlays: dict[str, Overlay] = {
-            "skull": SkullOverlay(self.renderer),
+            "skull": self.skull,
             "muscles": MusclesOverlay(self.renderer),
             "forces": ForcesOverlay(self.renderer),
             "supports": SupportsOverlay(self.renderer),
@@ -147,6 +154,7 @@ class Scene:
         if self._drawn is None:
             return
         self._drawn = self._seen_by(state, self._drawn)
+        self.skull.tried = (state.jaw_open, state.jaw_slide) if state.jaw_tried else None
         self._ghost()
         if _painted(state) != _painted(before):
             self._paint()
@@ -166,12 +174,6 @@ class Scene:
         """Lay on the skin anew whatever lies on it."""
         self._paint()
         self._switch(self._overlays["influence"], self._wanted("influence"), rebuild=False)
-
-    def carry_skull(self, way: FloatArray) -> None:
-        """Draw the skull where an affine map (4, 4) takes it, until the project has it elsewhere."""
-        overlay = self._overlays["skull"]
-        if self._drawn is not None and isinstance(overlay, SkullOverlay) and overlay.shown:
-            overlay.carry(self._drawn, way)
 
     def glow(self, keys: frozenset[str]) -> None:
         """Make the skin glow where some muscles pull; an empty set ends it."""
@@ -218,14 +220,18 @@ class Scene:
         face = self._drawn.project.face
         pull = muscle_pull(muscle, face)
         places = face.skin.positions[pull > 0.2 * pull.max()]
-        camera = self.renderer.GetActiveCamera()
-        towards = -np.array(camera.GetDirectionOfProjection())
+        towards = -np.array(self.renderer.GetActiveCamera().GetDirectionOfProjection())
         half = 1.6 * float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())
-        distance = half / np.tan(np.radians(camera.GetViewAngle() / 2))
-        camera.SetFocalPoint(*places.mean(axis=0))
-        camera.SetPosition(*(places.mean(axis=0) + distance * towards))
-        camera.SetParallelScale(half)
-        self.renderer.ResetCameraClippingRange()
+        look_closely(self.renderer, places.mean(axis=0), towards, half)
+
+    def frame_places(self, places: FloatArray) -> None:
+        """Bring places (k, 3) of the skin to the middle of the picture and near, from where the skin faces."""
+        if self._drawn is None:
+            return
+        skin = self._drawn.project.face.skin
+        facing = skin.normals[skin.tree.query(places)[1]].sum(axis=0)
+        half = CLOSE + float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())
+        look_closely(self.renderer, places.mean(axis=0), level(facing), half)
 
     def turn(self, degrees: float) -> None:
         """Turn the head by some degrees, as on a turntable."""

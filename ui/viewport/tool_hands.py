@@ -21,7 +21,7 @@ NOTCH = 120.0
 STRIDE = 2.0
 """Pixels between two places of a stroke that are told apart; between them it is straight."""
 
-PAINTING = frozenset(("brush", "fill", "sculpt"))
+PAINTING = frozenset(("brush", "fill", "sculpt", "bone-brush"))
 """Tools that work with a brush, whose size the wheel changes."""
 
 
@@ -150,4 +150,5 @@ class ToolHands(QObject):
     def _pointer(self, place: QPointF, held: Keys, pressure: float) -> Pointer:
         self.sight.scale = self._canvas.devicePixelRatioF()
         names = [name for key, name in MODIFIERS if held & key]
-        return self.sight.pointer(place.x(), place.y(), names, pressure, self._toolbox.tool.asks_skull)
+        tool = self._toolbox.tool
+        return self.sight.pointer(place.x(), place.y(), names, pressure, tool.asks_skull, tool.asks_skin)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 import igl
 import numpy as np
@@ -12,6 +13,9 @@ from app.tools.pointer import Hit, Modifier, Pointer, Ray, skin_hit, skull_hit
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.laying.places import Bone
+from facemodel.mesh import Mesh
+from facemodel.skull.jaw_region import whole_skull
+from facemodel.skull.placement import carried
 from fem.types import BoolArray, FloatArray, IntArray
 from ui.viewport.overlays.overlay import Drawn
 from ui.viewport.overlays.supports import points_of_vertices
@@ -57,6 +61,7 @@ class ToolSight:
         modifiers: Iterable[Modifier] = (),
         pressure: float = 1.0,
         asks_skull: bool = False,
+        asks_skin: bool = True,
     ) -> Pointer:
         """The pointer at a point of the viewport, in pixels of the window from its upper left corner."""
         held = frozenset(modifiers)
@@ -65,7 +70,7 @@ class ToolSight:
             return Pointer(x, y, modifiers=held, pressure=pressure)
         column, row = self._in_picture(x, y)
         ray = Ray(*ray_through(self._scene.renderer, column, row))
-        hit = self._first(drawn, ray) or self._scene.pick(column, row)
+        hit = (self._first(drawn, ray) or self._scene.pick(column, row)) if asks_skin else None
         skin = None if hit is None else skin_hit(drawn.project.face, *self._at_rest(drawn, hit))
         skull = self._bone(drawn, ray) if asks_skull else None
         reach = TIP * self.millimetres(None if hit is None else hit.place)
@@ -80,6 +85,11 @@ class ToolSight:
         at = np.array(camera.GetFocalPoint()) if place is None else place
         away = float((at - np.array(camera.GetPosition())) @ np.array(camera.GetDirectionOfProjection()))
         return float(2 * away * np.tan(np.radians(camera.GetViewAngle() / 2)) / height * self.scale)
+
+    def towards(self, place: FloatArray) -> FloatArray:
+        """The unit direction (3,) from a place (3,) to the eye."""
+        way = self._towards_eye(place[None])[0]
+        return np.asarray(way / np.linalg.norm(way))
 
     def skin_on_screen(self) -> tuple[FloatArray, BoolArray]:
         """Pixels (N, 2) of every skin vertex as it is posed, and whether (N,) it can be seen."""
@@ -99,6 +109,28 @@ class ToolSight:
         seen[lines] = met < 0
         return self._on_screen(places) / self.scale, seen
 
+    def bone_on_screen(self) -> tuple[FloatArray, BoolArray]:
+        """Pixels (M, 2) of every vertex of the whole skull as it is drawn, and whether (M,) no bone hides it."""
+        drawn = self._scene.drawn
+        if drawn is None:
+            return np.zeros((0, 2)), np.zeros(0, dtype=np.bool_)
+        whole = whole_skull(drawn.project.face.skull)
+        lone = whole.jaw & ~whole.shared
+        jaw = self._scene.skull.jaw(drawn)
+        places = np.where(lone[:, None], carried(whole.mesh.positions, jaw), whole.mesh.positions)
+        posed = whole.mesh.moved(places)
+        towards = self._towards_eye(places)
+        seen = np.einsum("ij,ij->i", towards, posed.normals) > 0
+        tree = igl.AABB()
+        tree.init(posed.positions, posed.triangles)
+        lines = np.flatnonzero(seen)
+        starts = places[lines] + CLEAR * posed.normals[lines]
+        met, _, _ = tree.intersect_ray_first(
+            posed.positions, posed.triangles, starts, np.ascontiguousarray(towards[lines])
+        )
+        seen[lines] = np.asarray(met) < 0
+        return self._on_screen(places) / self.scale, seen
+
     def _tree(self, drawn: Drawn) -> tuple[igl.AABB, tuple[FloatArray, IntArray]]:
         """The skin as it is posed now, ready to be met by lines of sight; made once for every pose."""
         if self._known is None or self._known[0] is not drawn:
@@ -110,17 +142,8 @@ class ToolSight:
 
     def _first(self, drawn: Drawn, ray: Ray) -> DrawnHit | None:
         """What a line of sight meets first, if it meets it from outside."""
-        tree, (points, triangles) = self._tree(drawn)
-        met, _, shares = tree.intersect_ray_first(points, triangles, ray.origin[None], ray.along[None])
-        triangle = int(met[0])
-        if triangle < 0:
-            return None
-        a, b, c = points[triangles[triangle]]
-        if np.cross(b - a, c - a) @ ray.along >= 0:
-            return None
-        share = np.array([1 - shares[0, 0] - shares[0, 1], shares[0, 0], shares[0, 1]])
-        place = share @ np.array([a, b, c])
-        return DrawnHit(triangle, share, place, int(triangles[triangle, share.argmax()]))
+        tree, mesh = self._tree(drawn)
+        return _met(tree, *mesh, ray.origin, ray.along)
 
     def _in_picture(self, x: float, y: float) -> tuple[float, float]:
         return x * self.scale, self._scene.renderer.GetSize()[1] - 1 - y * self.scale
@@ -130,7 +153,7 @@ class ToolSight:
 
     def _bone(self, drawn: Drawn, ray: Ray) -> Hit | None:
         """The first bone that a line of sight meets; the mandible where the jaw has turned it to."""
-        skull, jaw = drawn.project.face.skull, drawn.figure.posed.jaw
+        skull, jaw = drawn.project.face.skull, self._scene.skull.jaw(drawn)
         back = np.linalg.inv(jaw)
         turned = back[:3, :3] @ ray.origin + back[:3, 3], back[:3, :3] @ ray.along
         lines = {"cranium": (ray.origin, ray.along), "mandible": turned}
@@ -138,7 +161,7 @@ class ToolSight:
         bones: tuple[Bone, ...] = ("cranium", "mandible")
         for bone in bones:
             mesh = skull.cranium if bone == "cranium" else skull.mandible
-            hit = first_hit(mesh.positions.astype(np.float32), mesh.triangles, *lines[bone])
+            hit = _first_of(mesh, *lines[bone])
             if hit is not None:
                 away = float(np.linalg.norm(hit.place - lines[bone][0]))
                 found.append((away, skull_hit(drawn.project.face, bone, hit.triangle, hit.barycentric)))
@@ -158,6 +181,36 @@ class ToolSight:
         clip = np.column_stack([places, np.ones(len(places))]) @ _matrix(renderer).T
         there = clip[:, :2] / clip[:, 3:]
         return np.column_stack([(there[:, 0] + 1) / 2 * width, (1 - there[:, 1]) / 2 * height])
+
+
+def _met(
+    tree: igl.AABB, points: FloatArray, triangles: IntArray, origin: FloatArray, along: FloatArray
+) -> DrawnHit | None:
+    """What a line of sight meets first, if it meets it from outside."""
+    met, _, shares = tree.intersect_ray_first(points, triangles, origin[None], along[None])
+    triangle = int(met[0])
+    if triangle < 0:
+        return None
+    a, b, c = points[triangles[triangle]]
+    if np.cross(b - a, c - a) @ along >= 0:
+        return None
+    share = np.array([1 - shares[0, 0] - shares[0, 1], shares[0, 0], shares[0, 1]])
+    return DrawnHit(triangle, share, share @ np.array([a, b, c]), int(triangles[triangle, share.argmax()]))
+
+
+def _first_of(mesh: Mesh, origin: FloatArray, along: FloatArray) -> DrawnHit | None:
+    """The first place of a bone from outside; where a line begins within it or meets an open edge, of all triangles."""
+    if not len(mesh.triangles):
+        return None
+    hit = _met(_bone_tree(mesh), mesh.positions, mesh.triangles, origin, along)
+    return hit or first_hit(mesh.positions.astype(np.float32), mesh.triangles, origin, along)
+
+
+@lru_cache(maxsize=4)
+def _bone_tree(mesh: Mesh) -> igl.AABB:
+    tree = igl.AABB()
+    tree.init(mesh.positions, mesh.triangles)
+    return tree
 
 
 def _matrix(renderer: vtkRenderer) -> FloatArray:

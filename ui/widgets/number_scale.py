@@ -65,7 +65,8 @@ class NumberScale:
 
     def text(self, value: float) -> str:
         """The number with its unit."""
-        return f"{value:.{self.decimals}f}{' ' + self.unit if self.unit else ''}"
+        space = "" if self.unit in ("", "°") else " "
+        return f"{value:.{self.decimals}f}{space}{self.unit}"
 
     def stepped(self, value: float, key: int, modifiers: Modifier) -> float | None:
         """The value that a key asks for; none where it asks for none."""

@@ -28,6 +28,7 @@ from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.face_information import FaceInformation
 from ui.panels.muscle_text import muscle_label
 from ui.panels.muscles.actions import MUSCLE_ACTIONS
+from ui.panels.skull.deeds import skull_actions
 from ui.portraits import Portraits
 from ui.viewport.tool_hands import ToolHands
 from ui.widgets.command_palette import CommandPalette
@@ -81,7 +82,7 @@ class MainWindow(QMainWindow):
         self.setDockOptions(QMainWindow.DockOption.AllowTabbedDocks | QMainWindow.DockOption.AnimatedDocks)
         self._folded: frozenset[str] = frozenset()
         self.context = Context(document, view, settings, solving, WindowHost(self))
-        bench = Bench(document, view)
+        bench = Bench(document, view, deliver=UiThread(self).deliver)
         self.toolbox = ToolBox(bench, all_tools())
         self.binding = ActionBinding(self, self.context, self._actions)
         self.viewport = Viewport(document, view, preparation, self)
@@ -153,6 +154,7 @@ class MainWindow(QMainWindow):
         self.context.solving.job.close()
         self.check.job.close()
         self.portraits.close()
+        self.toolbox.bench.clear()
         self.viewport.close()
         event.accept()
         self.closed.emit()
@@ -221,7 +223,7 @@ class MainWindow(QMainWindow):
 
     def _actions(self, context: Context) -> tuple[Action, ...]:
         of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
-        authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS, *SCULPT_ACTIONS)
+        authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS, *SCULPT_ACTIONS, *skull_actions(self.toolbox.bench))
         return (*all_actions(context), self._console_action(), *authoring, *workspace_actions(WORKSPACES), *of_tools)
 
     def _console_action(self) -> Action:

@@ -22,6 +22,7 @@ from facemodel.muscles import Muscle
 from facemodel.neutral import neutral_basis
 from facemodel.project import Project
 from facemodel.solve import Solution
+from fem.types import FloatArray
 from ui.panels.muscle_text import muscle_label
 from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID
@@ -135,6 +136,11 @@ class Viewport(QWidget):
             self._moved_by_hand()
         else:
             self.frame_head()
+
+    def show_places(self, places: FloatArray) -> None:
+        """Bring places (k, 3) of the skin near, as they are seen from outside."""
+        self.scene.frame_places(places)
+        self._moved_by_hand()
 
     def lay_over(self, card: QWidget) -> None:
         """Put a card over the lower left corner of the picture."""
