@@ -64,7 +64,7 @@ def _mirror(toolbox: ToolBox) -> Action:
         shortcut="X",
         hint="Paint or sculpt both sides of the face alike",
         kind="toggle",
-        enabled=lambda context: context.view.state.workspace == "tissue" or toolbox.tool.id == "sculpt",
+        enabled=lambda context: context.view.state.workspace in ("skull", "tissue") or toolbox.tool.id == "sculpt",
         checked=lambda _context: toolbox.tool.brush.state.mirror,
     )
 

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from app.tools.bone_brush import BoneBrush
+from app.tools.bone_lasso import BoneLasso
+from app.tools.bone_part import BonePart
 from app.tools.brush import BrushTool
 from app.tools.fibre import FibreTool
 from app.tools.fill import FillTool
+from app.tools.jaw_axis import JawAxisTool
 from app.tools.lasso import LassoTool
+from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
 from app.tools.ring import RingTool
 from app.tools.sculpt import SculptTool
 from app.tools.select import SelectTool
+from app.tools.skull_landmark import LandmarkTool
 from app.tools.tool import Tool
 from facemodel.sculpting.sampler import correction_sampler
 from ui.panels.actions.panel import ActionsPanel
@@ -17,10 +23,16 @@ from ui.panels.muscles.comparison.opening import compare_on_demand
 from ui.panels.muscles.panel import MusclesPanel
 from ui.panels.skull.panel import SkullPanel
 from ui.panels.tissue.panel import TissuePanel
+from ui.viewport.overlays.bone_dye import BoneDye
+from ui.viewport.overlays.bone_faults import BoneFaults
 from ui.viewport.overlays.cursor import BrushRing
+from ui.viewport.overlays.depth_map import DepthMap
 from ui.viewport.overlays.fibre_ghost import FibreGhost
+from ui.viewport.overlays.gizmo import SkullGizmo
 from ui.viewport.overlays.glyphs import Glyphs
+from ui.viewport.overlays.guest_skull import GuestSkull
 from ui.viewport.overlays.handles import MuscleHandles
+from ui.viewport.overlays.jaw_axis import JawAxis
 from ui.viewport.overlays.lasso import LassoOutline, RegionOutlines
 from ui.viewport.overlays.layer import LayerDrawing
 from ui.viewport.overlays.muscles_sight import MusclesInSight
@@ -73,7 +85,9 @@ def _prepare_sculpting(parts: Parts) -> None:
 
 
 def _skull_panel(parts: Parts) -> SkullPanel:
-    return SkullPanel(parts.context, parts.toolbox)
+    panel = SkullPanel(parts.context, parts.toolbox)
+    panel.place_asked.connect(parts.viewport.show_places)
+    return panel
 
 
 def _tissue_panel(parts: Parts) -> TissuePanel:
@@ -103,7 +117,13 @@ WORKSPACES: tuple[WorkspaceKind, ...] = (
         (MusclesInSight, MuscleHandles, FibreGhost),
         _prepare_solver,
     ),
-    WorkspaceKind("skull", _skull_panel, (SelectTool,), (SkullInSight,), _prepare_solver),
+    WorkspaceKind(
+        "skull",
+        _skull_panel,
+        (MoveSkull, TurnSkull, ScaleSkull, BoneBrush, BoneLasso, BonePart, JawAxisTool, LandmarkTool, SelectTool),
+        (SkullInSight, DepthMap, BoneFaults, BoneDye, GuestSkull, JawAxis, SkullGizmo, LassoOutline),
+        _prepare_solver,
+    ),
     WorkspaceKind(
         "tissue",
         _tissue_panel,

@@ -49,6 +49,14 @@ class Choices(QWidget):
             button.setChecked(False)
         self._group.setExclusive(True)
 
+    def release(self) -> None:
+        """Show that none is chosen; emits nothing."""
+        pressed = self._group.checkedButton()
+        if pressed is not None:
+            self._group.setExclusive(False)
+            pressed.setChecked(False)
+            self._group.setExclusive(True)
+
     def button(self, key: str) -> QToolButton:
         """The button of one."""
         return self._buttons[key]
