@@ -61,8 +61,8 @@ class ViewState:
     depth_map : colour the skin by how deep the bone lies
     origins_follow : muscles go along when the bone moves that they come from
     carry : muscles, units and expressions go along to another individual
-    jaw_open, jaw_slide : degrees and millimetres by which the jaw is turned and slid to be looked at in the Skull
-        workspace, whatever the sliders say
+    jaw_open, jaw_slide, jaw_side : degrees, and millimetres forward and to the subject's left, by which the jaw is
+        moved only to be looked at in the Skull workspace, whatever the sliders say
     linked : the sliders of left and right move together
     tools : by workspace the id of the tool in hand, where it is not the first one
     """
@@ -98,6 +98,7 @@ class ViewState:
     carry: bool = False
     jaw_open: float = 0.0
     jaw_slide: float = 0.0
+    jaw_side: float = 0.0
     linked: bool = True
     tools: Mapping[Workspace, str] = field(default_factory=dict)
 
@@ -108,8 +109,8 @@ class ViewState:
 
     @property
     def jaw_tried(self) -> bool:
-        """Whether the jaw is turned only to be looked at."""
-        return self.workspace == "skull" and (self.jaw_open != 0.0 or self.jaw_slide != 0.0)
+        """Whether the jaw is moved only to be looked at."""
+        return self.workspace == "skull" and (self.jaw_open, self.jaw_slide, self.jaw_side) != (0.0, 0.0, 0.0)
 
     @property
     def selected(self) -> frozenset[str]:

@@ -154,7 +154,7 @@ class Scene:
         if self._drawn is None:
             return
         self._drawn = self._seen_by(state, self._drawn)
-        self.skull.tried = (state.jaw_open, state.jaw_slide) if state.jaw_tried else None
+        self.skull.tried = (state.jaw_open, state.jaw_slide, state.jaw_side) if state.jaw_tried else None
         self._ghost()
         if _painted(state) != _painted(before):
             self._paint()

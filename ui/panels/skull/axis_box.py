@@ -25,6 +25,9 @@ OPEN = NumberScale(0.0, 30.0, 0.0, "°")
 SLIDE = NumberScale(0.0, 15.0, 0.0, "mm")
 """A condyle slides forward by a centimetre and a half at most."""
 
+SIDE = NumberScale(-12.0, 12.0, 0.0, "mm")
+"""Incisors go aside by a centimetre or so."""
+
 LABEL = "Place the jaw’s axis"
 TIP = "Where this end of the axis is in the head, millimetres: x to the subject's left, y up, z forward"
 
@@ -44,10 +47,13 @@ class AxisBox(QWidget):
         self.open.setToolTip("Turn the jaw about its axis only to look at it; nothing of the project changes")
         self.slide = NumberBar("Try to slide", SLIDE)
         self.slide.setToolTip("Slide the condyles forward and down only to look at it; nothing of the project changes")
+        self.side = NumberBar("Try to go aside", SIDE)
+        self.side.setToolTip("Take the incisors to the left (+) or right only to look at it; nothing else changes")
+        self.trial = {"jaw_open": self.open, "jaw_slide": self.slide, "jaw_side": self.side}
         layout = QVBoxLayout(self)
         layout.setContentsMargins(GRID, 0, GRID, 0)
         layout.setSpacing(GRID // 2)
-        for widget in (*self.ends, self.words, self.open, self.slide):
+        for widget in (*self.ends, self.words, *self.trial.values()):
             layout.addWidget(widget)
         self._connect()
         self._show_axis(None)
@@ -59,19 +65,18 @@ class AxisBox(QWidget):
             row.previewed.connect(lambda axis, value, end=end: self._preview(end, axis, value))
             row.committed.connect(self._keep)
             row.cancelled.connect(self._let_go)
-        self.open.previewed.connect(lambda value: view.change(jaw_open=value))
-        self.slide.previewed.connect(lambda value: view.change(jaw_slide=value))
-        self.open.cancelled.connect(lambda: view.change(jaw_open=self.open.value))
-        self.slide.cancelled.connect(lambda: view.change(jaw_slide=self.slide.value))
+        for name, bar in self.trial.items():
+            bar.previewed.connect(lambda value, name=name: view.change(**{name: value}))
+            bar.cancelled.connect(lambda name=name, bar=bar: view.change(**{name: bar.value}))
         view.changed.connect(self._show_trial)
         document.project_changed.connect(lambda *_now: self._show_axis(self._axis))
         document.skull_changed.connect(lambda *_now: self._show_axis(self._axis))
         self._bench.sight.axis_changed.connect(self._show_axis)
 
     def _show_trial(self, state: ViewState, *_before: object) -> None:
-        for bar, value in ((self.open, state.jaw_open), (self.slide, state.jaw_slide)):
+        for name, bar in self.trial.items():
             if not bar.held:
-                bar.set_value(value)
+                bar.set_value(getattr(state, name))
 
     @property
     def _own(self) -> FloatArray:

@@ -33,11 +33,12 @@ class SkullOverlay(Overlay):
 
     Attributes
     ----------
-    tried : degrees and millimetres by which the jaw is turned and slid to be looked at; none where it is as it is posed
+    tried : degrees, and millimetres forward and aside, by which the jaw is moved to be looked at; none where it is as
+        it is posed
     hinge : what it turns about while that is dragged; none where it is the project's
     """
 
-    tried: tuple[float, float] | None = None
+    tried: tuple[float, float, float] | None = None
     hinge: Jaw | None = None
     _way: FloatArray = np.eye(4)
     _dye: tuple[FloatArray, FloatArray] | None = None

@@ -10,7 +10,7 @@ from ui.workspaces.workspace import Parts
 SHOWN: dict[str, Any] = {"skull": True, "muscles": False, "forces": False, "influence": False, "supports": False}
 """What is drawn while bone is worked on; muscles and colours on the skin would hide it."""
 
-TRIED: dict[str, Any] = {"jaw_open": 0.0, "jaw_slide": 0.0}
+TRIED: dict[str, Any] = {"jaw_open": 0.0, "jaw_slide": 0.0, "jaw_side": 0.0}
 """The jaw is where the sliders have it."""
 
 
