@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from app.authoring import emotions, pad, sculpting, units
+from app.authoring.jaw import with_jaw_axis
+from app.authoring.skull import with_jaw_region, with_pose
 from app.authoring.merging import merged
 from app.authoring.mirroring import mirrored_unit
 from app.commands import ReplaceProject
@@ -22,6 +24,8 @@ from facemodel.animation.editing import bulk, dense, expressions, marks
 from facemodel.animation.editing.selection import selected
 from facemodel.animation.library import library, placed
 from facemodel.cache import solution_key
+from facemodel.errors import SkullError
+from facemodel.face import Pose
 from facemodel.io.animation import animation_arrays, animation_json
 from facemodel.io.project_file import project_bytes, project_of
 from facemodel.laying import collection
@@ -34,6 +38,7 @@ from facemodel.painting.brush import MODES
 from facemodel.painting.layers import LAYER
 from facemodel.project import Project
 from facemodel.sculpting.correction import correction_of
+from facemodel.skull.jaw_region import whole_skull
 
 COMMANDS = 500
 SEED = 1998
@@ -221,6 +226,19 @@ class Hands:
         made, _ = with_pasted(self.project, expressions_of(text, self.project.units))
         self.document.edit(made, "Paste")
 
+    def move_skull(self) -> None:
+        shift, turn = self.random.uniform(-4, 4, (2, 3)).round(2).tolist()
+        pose = Pose(tuple(shift), tuple(turn), (1.0, round(self.random.uniform(0.9, 1.1), 3), 1.0))
+        self.document.edit(with_pose(self.project, pose, bool(self.random.integers(2))), "Move skull")
+
+    def choose_jaw(self) -> None:
+        if self.random.integers(2):
+            region = self.random.random(len(whole_skull(self.project.face.skull).mesh.positions)) < 0.7
+            self.document.edit(with_jaw_region(self.project, region), "Choose the jaw")
+        else:
+            ends = np.array([[-40.0, 20, -40], [40, 20, -40]]) + self.random.uniform(-5, 5, (2, 3))
+            self.document.edit(with_jaw_axis(self.project, *ends), "Place the jaw’s axis")
+
     def other_settings(self) -> None:
         density = int(self.random.integers(2, 5))
         other = replace(self.project, settings=replace(self.project.settings, density=density))
@@ -264,7 +282,7 @@ def walked(project: Project) -> tuple[Document, list[tuple[str, str]]]:
     while len(done) < len(ACTS) or len(states) <= COMMANDS:
         try:
             done.add(hands.act())
-        except (UnitError, NumberError):
+        except (UnitError, NumberError, SkullError):
             continue
         states[len(document.history.done) :] = [fingerprint(document.project)]
     return document, states
