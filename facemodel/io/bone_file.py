@@ -54,6 +54,7 @@ def read_bone(path: Path, told: Told = lambda _text, _share: None) -> Bone:
     if suffix not in SUFFIXES:
         raise ProjectError(f"“{path}” cannot be opened: a skull is read from {', '.join(SUFFIXES)} files.")
     told("Reading the file", 0.05)
+    _check_size(path)
     data = read_file(path, LARGEST_FILE)
     with naming(path, "opened", REMEDY):
         told("Reading the mesh", 0.1)
@@ -62,6 +63,15 @@ def read_bone(path: Path, told: Told = lambda _text, _share: None) -> Bone:
             return mended(positions, triangles, told)
         except SkullError as error:
             raise DamageError("its mesh", str(error)) from error
+
+
+def _check_size(path: Path) -> None:
+    """Refuse a file that is too large; one that is not there is told of by whoever reads it."""
+    if path.is_file() and path.stat().st_size > LARGEST_FILE:
+        raise ProjectError(
+            f"“{path}” cannot be opened: it has {path.stat().st_size / 2**20:.0f} MiB and at most "
+            f"{LARGEST_FILE / 2**20:.0f} MiB are read; reduce the mesh in the program that made it."
+        )
 
 
 def _mesh(data: bytes, suffix: str) -> tuple[FloatArray, IntArray]:

@@ -8,7 +8,7 @@ import trimesh
 
 from facemodel.errors import ProjectError
 from facemodel.faces import load_face
-from facemodel.io.bone_file import SUFFIXES, read_bone
+from facemodel.io.bone_file import LARGEST_FILE, SUFFIXES, read_bone
 from facemodel.laying.places import nearest
 from facemodel.mesh import Mesh
 from facemodel.skull.depths import whole
@@ -115,6 +115,31 @@ def test_what_is_no_skull_is_refused_in_one_sentence(tmp_path: Path, name: str) 
     assert str(path) in sentence
     assert sentence.endswith(".")
     assert "\n" not in sentence
+
+
+def test_a_huge_file_is_refused_before_it_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "huge.stl"
+    with path.open("wb") as stream:
+        stream.truncate(LARGEST_FILE + 1)
+    with pytest.raises(ProjectError, match="at most 256 MiB are read; reduce the mesh"):
+        read_bone(path)
+
+
+def test_a_skull_of_quadrangles_is_cut_into_triangles(tmp_path: Path) -> None:
+    side = np.arange(24)
+    turn, height = (axis.ravel() for axis in np.meshgrid(side, np.linspace(0, 20, 24)))
+    ring = np.column_stack([np.cos(turn * np.pi / 12), height / 10, np.sin(turn * np.pi / 12)])
+    corner = np.arange(24 * 24).reshape(24, 24)
+    quads = np.stack([corner[:-1], np.roll(corner, -1, 1)[:-1], np.roll(corner, -1, 1)[1:], corner[1:]], axis=-1)
+    lines = [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in ring]
+    lines += ["f " + " ".join(str(k + 1) for k in quad) for quad in quads.reshape(-1, 4)]
+    path = tmp_path / "tube.obj"
+    path.write_text("\n".join(lines))
+    bone = read_bone(path)
+    assert bone.triangles == 2 * 23 * 24
+    assert bone.holes == 2
+    assert solid(bone.mesh).is_watertight
+    assert solid(bone.mesh).volume == pytest.approx(2 * np.pi, rel=0.03)
 
 
 def test_a_missing_file_and_a_folder_are_refused(tmp_path: Path) -> None:

@@ -39,7 +39,10 @@ def depth_colours(depth: FloatArray) -> FloatArray:
     return np.where((depth < 0)[:, None], OUT, cividis(depth / DEEPEST))
 
 
-LEGEND = Legend("Depth of the bone", "mm", 0.0, DEEPEST, depth_colours, beyond=True)
+def depth_legend(out: bool) -> Legend:
+    """What the colours mean; the one of bone that is outside is named where there is some."""
+    title = "Depth of the bone (red: outside)" if out else "Depth of the bone"
+    return Legend(title, "mm", 0.0, DEEPEST, depth_colours, beyond=True)
 
 
 class DepthMap:
@@ -83,8 +86,8 @@ class DepthMap:
             self._canvas.ask_frame()
 
     def _redraw(self) -> None:
-        shown = self._on and self._view.state.depth_map and self._watch.found is not None
-        self._legend.show_legend(LEGEND if shown else None)
+        found = self._watch.found if self._on and self._view.state.depth_map else None
+        self._legend.show_legend(None if found is None else depth_legend(found.depths.count > 0))
         self._scene.repaint()
         self._canvas.ask_frame()
 
