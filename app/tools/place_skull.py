@@ -117,6 +117,6 @@ class ScaleSkull(PlaceTool):
 
     id: ClassVar[str] = "scale-skull"
     title: ClassVar[str] = "Scale skull"
-    shortcut: ClassVar[str] = "S"
+    shortcut: ClassVar[str] = "Shift+S"
     hint: ClassVar[str] = f"Drag a box to scale the skull along it, the middle to scale it as a whole · {HANDS}"
     mode: ClassVar[Mode] = "scale"

@@ -66,7 +66,7 @@ def test_rings_turn_the_bone_about_its_middle_and_boxes_scale_it(skull, document
     turned = document.project.face.skull.placement.pose
     assert abs(turned.turn[0]) > 3
     assert turned.turn[1:] == pytest.approx((0, 0), abs=1e-6)
-    QTest.keyClick(skull.viewport.canvas, Qt.Key.Key_S)
+    QTest.keyClick(skull.viewport.canvas, Qt.Key.Key_S, Qt.KeyboardModifier.ShiftModifier)
     drag(skull, handle(skull, 1), UP, Qt.KeyboardModifier.ControlModifier)
     scaled = document.project.face.skull.placement.pose
     assert scaled.scale[1] > 1.1
