@@ -8,9 +8,9 @@ import pytest
 
 from app.authoring import emotions, pad, sculpting, units
 from app.authoring.jaw import with_jaw_axis
-from app.authoring.skull import with_jaw_region, with_pose
 from app.authoring.merging import merged
 from app.authoring.mirroring import mirrored_unit
+from app.authoring.skull import with_jaw_region, with_pose
 from app.commands import ReplaceProject
 from app.commands.corrections import set_corrections
 from app.document import Document
