@@ -206,6 +206,13 @@ def test_numbers_that_are_there_are_kept_whatever_frames_are_missing(
     assert capture.values[:, 0] == pytest.approx(values, abs=1e-5)
 
 
+def test_a_gap_does_not_make_another_rate_of_what_is_left() -> None:
+    rows = [f"{k / 29.97:.4f},{k}" for k in range(55) if not 1 <= k <= 9]
+    capture = read_plain("\n".join(["time,12L", *rows]).encode(), UNITS)
+    assert capture.rate == pytest.approx(29.97, rel=0.0015)
+    assert capture.values[:, 0] == pytest.approx(np.arange(55), abs=1e-5)
+
+
 def test_stamps_of_milliseconds_mean_a_common_rate() -> None:
     rows = [f"{int(k * 1000 / 30)},{k}" for k in range(90)]
     capture = read_live_link("\n".join(["timestamp_ms,jawOpen", *rows]).encode())

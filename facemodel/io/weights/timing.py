@@ -122,9 +122,10 @@ def _common(found: float, stamps: FloatArray) -> float:
         """How far the last stamp is from a frame of the rate, in tenths; whole rates are likelier than others."""
         return round(abs(span * rate - round(span * rate)), 1), rate != round(rate), abs(rate - found)
 
-    fitting = [
-        rate for rate in COMMON if abs(rate - found) <= NEAR * rate or abs(span * rate - (len(stamps) - 1)) < SLOT
-    ]
+    fitting = [rate for rate in COMMON if abs(rate - found) <= NEAR * rate]
+    if not fitting:
+        # Where stamps are too uneven to show their step, as many frames as there are fill their span.
+        fitting = [rate for rate in COMMON if abs(span * rate - (len(stamps) - 1)) < SLOT]
     return float(min(fitting, key=misfit)) if fitting else round(found, 3)
 
 
