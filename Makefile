@@ -37,7 +37,7 @@ bench: setup-display
 	@$(if $(DISPLAY),,.ci/with-display) $(PYTHON) -m benchmarks
 
 pictures: setup-display
-	@.ci/with-display $(PYTHON) docs/pictures.py
+	@.ci/with-display $(PYTHON) -m docs.pictures
 
 lock: setup
 	@.ci/lock

@@ -1,4 +1,4 @@
-"""Make the pictures of README and docs: ``make pictures``, or this file under ``.ci/with-display``.
+"""Make the pictures of README and docs: ``make pictures``.
 
 They are photographs of the real editor and renderings by the real command line, never touched by hand.
 """
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.document import Document
 from app.settings import UserSettings
+from docs.first_face import Hand, walk
 from facemodel.cache import solve_cached
 from facemodel.io.project_file import save_project
 from facemodel.projects import new_project
@@ -90,6 +91,30 @@ def editor(theme: str, emotion: str, name: str, workspaces: tuple[str, ...] = ()
         window.close()
 
 
+def first_face() -> None:
+    """Photograph the way from a bare head to a face that smiles, raises its brows and opens its jaw."""
+    app = make_application()
+    with tempfile.TemporaryDirectory() as folder:
+        settings = UserSettings(Path(folder) / "preferences.json")
+        settings.change(hint_done=True)
+        follow_theme(app, settings)
+        document = Document(new_project())
+        window = make_window(document, settings, Preparation(), solve_cached)
+        window.resize(*SIZE)
+        window.move(0, 0)
+        window.show()
+        wait(app, lambda: document.solution is not None and window.viewport.shows_face)
+
+        def keep(name: str) -> None:
+            rest(app)
+            photograph(window, name)
+
+        walk(Hand(window, keep))
+        document.reset_expression()
+        document.save(Path(folder) / "first.risorius")
+        window.close()
+
+
 def plates() -> None:
     """Draw the plates and the sheet with the command line."""
     with tempfile.TemporaryDirectory() as folder:
@@ -111,5 +136,6 @@ def plates() -> None:
 if __name__ == "__main__":
     IMAGES.mkdir(exist_ok=True)
     plates()
-    editor("dark", "happiness", "editor", ("actions", "muscles", "tissue"))
+    editor("dark", "happiness", "editor", ("actions", "muscles", "skull", "tissue"))
     editor("light", "surprise", "editor-light")
+    first_face()

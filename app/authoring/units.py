@@ -12,6 +12,7 @@ from app.errors import UnitError
 from facemodel.actions import EXAGGERATED, GROUP_TITLES, ActionUnit, Group, JawMotion, resolve
 from facemodel.animation.respelling import respelled
 from facemodel.errors import UnknownNameError
+from facemodel.facs import action_units
 from facemodel.muscles.muscle import Model
 from facemodel.project import Project
 from facemodel.sculpting.correction import copied, halved
@@ -93,11 +94,17 @@ def renamed(project: Project, number: int, name: str) -> Project:
 
 
 def renumbered(project: Project, number: int, to: int) -> Project:
-    """A project in which a unit has another number, as have its weights in expression and emotions."""
+    """A project in which a unit has another number, as have its weights in expression and emotions.
+
+    A unit that nobody has said yet how far it moves the skin takes that, and its group, from the table of FACS.
+    """
     unit = unit_of(project, number)
     if to == number:
         return project
     new = replace(unit, number=checked_number(project, to))
+    table = None if unit.amplitude else next((each for each in action_units() if each.number == to), None)
+    if table is not None:
+        new = replace(new, group=table.group, amplitude=table.amplitude)
     fields = dict(zip(unit.fields, new.fields, strict=True))
     return refielded(project, {number: new}, lambda name: fields.get(name, name))
 

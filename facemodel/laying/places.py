@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 from functools import lru_cache
 from typing import Literal
 
@@ -39,6 +40,10 @@ def _tree(mesh: Mesh) -> igl.AABB:
     tree = igl.AABB()
     tree.init(mesh.positions, mesh.triangles)
     return tree
+
+
+# What igl made goes before the interpreter does, which would call it leaked.
+atexit.register(_tree.cache_clear)
 
 
 def nearest(mesh: Mesh, points: FloatArray) -> tuple[FloatArray, IntArray, FloatArray]:

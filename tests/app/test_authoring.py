@@ -66,6 +66,15 @@ def test_emotions_that_call_a_unit_by_its_name_follow_a_new_name(project: Projec
     savable(made)
 
 
+def test_a_new_unit_with_a_number_of_facs_takes_group_and_amplitude_from_its_table(project: Project) -> None:
+    made, number = units.with_new_unit(project, "brow raise")
+    brow = units.unit_of(units.renumbered(made, number, 1), 1)
+    assert brow.group == "upper"
+    assert brow.amplitude == pytest.approx(8, abs=4)
+    known = units.with_unit(made, replace(units.unit_of(made, number), amplitude=2.0))
+    assert units.unit_of(units.renumbered(known, number, 1), 1).amplitude == 2.0
+
+
 def test_another_number_goes_with_its_weights(project: Project) -> None:
     posed = project.posed({"12L": 0.5, "17": 0.2})
     made = units.renumbered(posed, 12, 14)

@@ -39,6 +39,10 @@ class SearchLine(QLineEdit):
             super().keyPressEvent(event)
 
 
+NOTHING_FOUND = "No action unit has that number, name or muscle."
+NO_UNIT = "This head has no action unit yet. The Actions workspace makes them of muscles and jaw."
+
+
 class ExpressionPanel(QWidget):
     """Shows the expression of a document and lets it be changed.
 
@@ -65,7 +69,7 @@ class ExpressionPanel(QWidget):
         self.link = _tool("link-variant", "Move left and right together", view.state.linked)
         self.reset = _tool("restore", "Relax the whole face (0)")
         self.emotions = EmotionBar(document, portraits)
-        self._nothing = QLabel("No action unit has that number, name or muscle.")
+        self._nothing = QLabel()
         self._lay_out()
         self.show_project(document.project)
         self._connect()
@@ -168,6 +172,7 @@ class ExpressionPanel(QWidget):
         for key, group in self.groups.items():
             group.setVisible(key in found)
             group.fold(key in self._folded and not query.strip())
+        self._nothing.setText(NOTHING_FOUND if self.rows else NO_UNIT)
         self._nothing.setVisible(not found)
 
     def _go_to_first(self) -> None:
@@ -198,6 +203,7 @@ class ExpressionPanel(QWidget):
         self._list.setContentsMargins(0, 0, 0, GRID)
         self._list.setSpacing(0)
         self._nothing.setProperty("role", "muted")
+        self._nothing.setWordWrap(True)
         self._nothing.setContentsMargins(2 * GRID, 2 * GRID, GRID, GRID)
         self._nothing.hide()
         self._list.addWidget(self._nothing)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -90,6 +91,10 @@ def _tree(display: DisplaySurface) -> tuple[igl.AABB, FloatArray]:
     tree = igl.AABB()
     tree.init(points, display.triangles)
     return tree, points
+
+
+# What igl made goes before the interpreter does, which would call it leaked.
+atexit.register(_tree.cache_clear)
 
 
 def _outward(normals: FloatArray, towards: Float32Array) -> FloatArray:
