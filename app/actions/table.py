@@ -11,7 +11,7 @@ from app.actions.looking import LOOKING_ACTIONS
 from app.actions.solving import SOLVING_ACTIONS, face_actions
 from app.actions.window import WINDOW_ACTIONS
 
-MENUS = ("File", "Edit", "View", "Face", "Solve", "Window", "Help")
+MENUS = ("File", "Edit", "View", "Face", "Animation", "Solve", "Window", "Help")
 """The menu bar, from left to right."""
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
+from psygnal import SignalInstance
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMainWindow
@@ -23,6 +24,13 @@ SETTLE = 40
 class ActionBinding(QObject):
     """Makes Qt actions of the table and lets them follow what they act on.
 
+    Parameters
+    ----------
+    window : that has them
+    context : what they act on
+    table : all of them
+    also : further signals after which they may be possible, on, or called something else
+
     Signals
     -------
     table_changed() : there may be other actions than before
@@ -30,7 +38,9 @@ class ActionBinding(QObject):
 
     table_changed = Signal()
 
-    def __init__(self, window: QMainWindow, context: Context, table: Table) -> None:
+    def __init__(
+        self, window: QMainWindow, context: Context, table: Table, also: Sequence[SignalInstance] = ()
+    ) -> None:
         super().__init__(window)
         self._window = window
         self._context = context
@@ -41,7 +51,7 @@ class ActionBinding(QObject):
         self._state_timer.timeout.connect(self.refresh)
         self._table_timer = QTimer(self, singleShot=True, interval=0)
         self._table_timer.timeout.connect(self.rebuild)
-        for signal in state_signals(context):
+        for signal in (*state_signals(context), *also):
             signal.connect(self._state_changed)
         for signal in table_signals(context):
             signal.connect(self._table_may_change)

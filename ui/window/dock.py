@@ -36,9 +36,15 @@ class Dock(QDockWidget):
         layout.setContentsMargins(GRID, AIR, GRID // 2, AIR)
         layout.setSpacing(0)
         layout.addWidget(words, 1)
-        layout.addWidget(_button("dock-window", f"Float {title}", lambda: self.setFloating(not self.isFloating())))
-        layout.addWidget(_button("close", f"Close {title}", self.close))
+        for button in self._title_buttons(title):
+            layout.addWidget(button)
         return line
+
+    def _title_buttons(self, title: str) -> tuple[QToolButton, ...]:
+        return (
+            _button("dock-window", f"Float {title}", lambda: self.setFloating(not self.isFloating())),
+            _button("close", f"Close {title}", self.close),
+        )
 
 
 def _button(glyph: str, text: str, act: object) -> QToolButton:

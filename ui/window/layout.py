@@ -7,7 +7,7 @@ import binascii
 import json
 from dataclasses import dataclass, field
 
-VERSION = 3
+VERSION = 4
 """Raised when docks are added or renamed, so that an older layout is not forced on a newer window."""
 
 
@@ -20,18 +20,20 @@ class Layout:
     docks : Qt's own state of docks and toolbars
     folded : keys of the folded groups of action units
     workspace : which one was open
+    timeline : whether the timeline was open, and not folded to one line
     """
 
     docks: bytes = b""
     folded: frozenset[str] = field(default_factory=frozenset)
     workspace: str = "expression"
+    timeline: bool = False
 
 
 def layout_text(layout: Layout) -> str:
     """The layout as text."""
     docks = base64.b64encode(layout.docks).decode()
     members = {"docks": docks, "folded": sorted(layout.folded), "workspace": layout.workspace}
-    return json.dumps({"version": VERSION, **members})
+    return json.dumps({"version": VERSION, **members, "timeline": layout.timeline})
 
 
 def layout_from(text: str) -> Layout:
@@ -41,6 +43,7 @@ def layout_from(text: str) -> Layout:
         if members["version"] != VERSION:
             return Layout()
         docks = base64.b64decode(members["docks"], validate=True)
-        return Layout(docks, frozenset(map(str, members["folded"])), str(members["workspace"]))
+        folded = frozenset(map(str, members["folded"]))
+        return Layout(docks, folded, str(members["workspace"]), bool(members["timeline"]))
     except (ValueError, KeyError, TypeError, binascii.Error):
         return Layout()

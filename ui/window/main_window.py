@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QKeyEvent, QResizeEvent
+from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QMainWindow
 
 from app.actions.action import Action, perform
 from app.actions.context import Context
-from app.actions.files import SUFFIX, may_leave, open_path
+from app.actions.files import may_leave
 from app.actions.table import all_actions
 from app.document import Document
 from app.settings import UserSettings
@@ -30,6 +28,7 @@ from ui.panels.muscle_text import muscle_label
 from ui.panels.muscles.actions import MUSCLE_ACTIONS
 from ui.panels.skull.deeds import skull_actions
 from ui.portraits import Portraits
+from ui.timeline.desk import TimelineDesk, desk_actions, timeline_view
 from ui.viewport.tool_hands import ToolHands
 from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
@@ -41,6 +40,7 @@ from ui.window.layout import Layout, layout_from, layout_text
 from ui.window.menus import fill_menus
 from ui.window.palette_entries import palette_entries
 from ui.window.preparation import Preparation
+from ui.window.project_drops import ProjectDrops
 from ui.window.solve_progress import SolveProgress
 from ui.window.status_line import StatusLine
 from ui.window.tool_strip import ToolStrip
@@ -77,14 +77,15 @@ class MainWindow(QMainWindow):
         self, document: Document, view: View, settings: UserSettings, solving: Solving, preparation: Preparation
     ) -> None:
         super().__init__()
-        self.setAcceptDrops(True)
         self.setMinimumSize(LEAST)
         self.setDockOptions(QMainWindow.DockOption.AllowTabbedDocks | QMainWindow.DockOption.AnimatedDocks)
         self._folded: frozenset[str] = frozenset()
         self.context = Context(document, view, settings, solving, WindowHost(self))
+        ProjectDrops(self, self.context)
         bench = Bench(document, view, deliver=UiThread(self).deliver)
         self.toolbox = ToolBox(bench, all_tools())
-        self.binding = ActionBinding(self, self.context, self._actions)
+        self.span = timeline_view(document)
+        self.binding = ActionBinding(self, self.context, self._actions, self.span.signals)
         self.viewport = Viewport(document, view, preparation, self)
         self.setCentralWidget(self.viewport)
         self.check = SuperpositionCheck(document, view, UiThread(self).deliver)
@@ -92,7 +93,9 @@ class MainWindow(QMainWindow):
         parts = Parts(self.context, bench, self.toolbox, self.viewport, self.check, self.portraits, preparation)
         self.panels = WorkspacePanels(parts, WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")
-        self.docks = {
+        self.timeline = TimelineDesk(self.span, self.binding, self.viewport)
+        self.docks: dict[str, Dock] = {
+            "timeline": self.timeline.dock,
             "workspace": Dock("workspace", "Expression", self.panels),
             "information": Dock("information", "Face information", FaceInformation(document)),
             "console": Dock("console", "Console", ConsolePanel(document)),
@@ -120,6 +123,7 @@ class MainWindow(QMainWindow):
         """Put all docks and groups where they were at the first start."""
         for dock in self.docks.values():
             dock.setFloating(False)
+        self.timeline.dock.fold(True)
         self.restoreState(self._usual)
         self._fold(frozenset())
 
@@ -149,12 +153,13 @@ class MainWindow(QMainWindow):
             return
         self.context.settings.change(
             geometry=bytes(self.saveGeometry().toBase64().data()).decode(),
-            layout=layout_text(Layout(bytes(self.saveState().data()), self._folded, self.context.view.state.workspace)),
+            layout=layout_text(self._layout()),
         )
         self.context.solving.job.close()
         self.check.job.close()
         self.portraits.close()
         self.toolbox.bench.clear()
+        self.timeline.close()
         self.viewport.close()
         event.accept()
         self.closed.emit()
@@ -165,24 +170,14 @@ class MainWindow(QMainWindow):
         if self.palette_box.isVisible():
             self.palette_box.place()
 
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Welcome projects."""
-        if _dropped(event):
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Open the first project that was dropped."""
-        paths = _dropped(event)
-        if paths:
-            event.acceptProposedAction()
-            open_path(self.context, paths[0])
-
     def _place_docks(self) -> None:
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.docks["workspace"])
         self.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, self.docks["information"])
         self.docks["information"].hide()
         console = self.docks["console"]
+        self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self.docks["timeline"])
         self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, console)
+        self.tabifyDockWidget(self.docks["timeline"], console)
         console.hide()
         console.toggleViewAction().triggered.connect(lambda on: self._open_console() if on else None)
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
@@ -206,6 +201,12 @@ class MainWindow(QMainWindow):
         self.expression.folds_changed.connect(self._note_folds)
         self.expression.muscles_hovered.connect(self.viewport.glow)
         self.viewport.muscle_hovered.connect(self._name_muscle)
+        self.timeline.advised.connect(lambda text: self.status.show_hint(text) if text else self._advise())
+        self.timeline.failed.connect(self.status.notify)
+
+    def _layout(self) -> Layout:
+        docks, workspace = bytes(self.saveState().data()), self.context.view.state.workspace
+        return Layout(docks, self._folded, workspace, not self.timeline.dock.is_folded)
 
     def _restore(self) -> None:
         preferences = self.context.settings.preferences
@@ -214,6 +215,7 @@ class MainWindow(QMainWindow):
             room = QGuiApplication.primaryScreen().availableSize() * SHARE_OF_SCREEN
             self.resize(USUAL.boundedTo(room).expandedTo(LEAST))
         layout = layout_from(preferences.layout)
+        self.timeline.dock.fold(not layout.timeline)
         if layout.docks:
             self.restoreState(QByteArray(layout.docks))
         self._fold(layout.folded)
@@ -224,7 +226,8 @@ class MainWindow(QMainWindow):
     def _actions(self, context: Context) -> tuple[Action, ...]:
         of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
         authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS, *SCULPT_ACTIONS, *skull_actions(self.toolbox.bench))
-        return (*all_actions(context), self._console_action(), *authoring, *workspace_actions(WORKSPACES), *of_tools)
+        of_window = (*all_actions(context), *desk_actions(self.span), self._console_action())
+        return (*of_window, *authoring, *workspace_actions(WORKSPACES), *of_tools)
 
     def _console_action(self) -> Action:
         """For the palette and for keys of one's own; the menu has the dock's own switch."""
@@ -286,10 +289,3 @@ class MainWindow(QMainWindow):
             self._advise()
         else:
             self.status.show_hint(f"{muscle_label(muscle)} · a click selects it")
-
-
-def _dropped(event: QDropEvent) -> list[Path]:
-    """The projects that a drag carries."""
-    urls = event.mimeData().urls()
-    paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
-    return [path for path in paths if path.suffix.lower() == SUFFIX]

@@ -1,0 +1,121 @@
+"""What part of the timeline is seen: a stretch of time, and how far its lines are scrolled; shared by its widgets."""
+
+from __future__ import annotations
+
+from psygnal import SignalInstance
+from PySide6.QtCore import QObject, Signal
+
+from app.timeline.lines import Line, lines_of
+from app.timeline.state import TimelineState
+from app.timeline.timeline import Timeline
+from ui.timeline.row_layout import RowLayout
+from ui.timeline.time_scale import TimeScale, fitted
+
+
+class TimelineView(QObject):
+    """Holds scale, scroll and the laid out lines of a timeline.
+
+    Signals
+    -------
+    moved() : another stretch of time or of the lines is seen
+    relaid() : there are other lines
+    content() : what is drawn on the lines is different
+
+    Parameters
+    ----------
+    timeline : what is seen
+    """
+
+    moved = Signal()
+    relaid = Signal()
+    content = Signal()
+
+    def __init__(self, timeline: Timeline) -> None:
+        super().__init__()
+        self.timeline = timeline
+        self.width, self.height = 800, 200
+        self.top = 0
+        self.scale = TimeScale()
+        self._fitted = False
+        self.layout = RowLayout(())
+        self._lay_out()
+        timeline.changed.connect(self._follow_state)
+        document = timeline.document
+        document.animation_changed.connect(self._follow)
+        document.units_changed.connect(self._follow)
+        document.project_changed.connect(self._begin)
+
+    @property
+    def signals(self) -> tuple[SignalInstance, ...]:
+        """After which other things may be possible than before."""
+        return (self.timeline.changed, self.timeline.playhead.playing_changed)
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """The lines from top to bottom."""
+        return tuple(placed.line for placed in self.layout.rows)
+
+    @property
+    def lowest(self) -> int:
+        """How far the lines can be scrolled."""
+        return max(self.layout.height - self.height, 0)
+
+    def see(self, scale: TimeScale) -> None:
+        """See another stretch of time."""
+        if scale != self.scale:
+            self.scale = scale
+            self.moved.emit()
+
+    def scroll(self, top: float) -> None:
+        """See the lines from a height of the whole list."""
+        kept = round(min(max(top, 0), self.lowest))
+        if kept != self.top:
+            self.top = kept
+            self.moved.emit()
+
+    def resize(self, width: int, height: int) -> None:
+        """Have so many pixels; the first time all that is played is brought into view."""
+        self.width, self.height = max(width, 1), max(height, 1)
+        if not self._fitted and width > 1:
+            self._fitted = True
+            self.show_all()
+        self.scroll(self.top)
+
+    def show_all(self) -> None:
+        """Bring all that is played into view."""
+        animation = self.timeline.animation
+        self.frame(animation.start, animation.end)
+
+    def frame(self, start: float, end: float) -> None:
+        """Bring a stretch of time into view."""
+        self.see(fitted(start, end, self.width))
+
+    def reveal(self, time: float) -> None:
+        """Turn the page if a time is out of sight."""
+        begin, end = self.scale.begin, self.scale.end(self.width)
+        if not begin <= time <= end:
+            margin = 0.1 * (end - begin)
+            self.see(TimeScale(time - margin, self.scale.per_second).held())
+
+    def _lay_out(self) -> None:
+        project = self.timeline.document.project
+        lines = lines_of(project.animation, project.units, self.timeline.state)
+        before = self.layout
+        self.layout = RowLayout(lines, self.timeline.state.lines)
+        if [(p.line, p.height) for p in before.rows] != [(p.line, p.height) for p in self.layout.rows]:
+            self.relaid.emit()
+            self.scroll(self.top)
+
+    def _follow(self, *_what: object) -> None:
+        self._lay_out()
+        self.content.emit()
+
+    def _follow_state(self, now: TimelineState, before: TimelineState) -> None:
+        if (now.sought, now.flipped, now.lines) != (before.sought, before.flipped, before.lines):
+            self._lay_out()
+        self.content.emit()
+
+    def _begin(self, *_project: object) -> None:
+        self._lay_out()
+        self.show_all()
+        self.content.emit()
