@@ -5,9 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 
 from app.actions.action import Action
-from app.timeline import deeds, keying
-from app.timeline.entry import Entry, with_anything, with_keys, with_keys_or_events, with_things, with_tracks
+from app.timeline import deeds, keying, layers
+from app.timeline.entry import (
+    Entry,
+    with_anything,
+    with_capture,
+    with_keys,
+    with_keys_or_events,
+    with_things,
+    with_tracks,
+)
 from app.timeline.timeline import Timeline
+from app.timeline.whole import OPERATIONS
 from facemodel.animation.curve import SHAPES, Shape
 from facemodel.animation.editing.eases import EASES
 from facemodel.animation.idle import Idle
@@ -74,6 +83,13 @@ GOING = (
         "Go to the end of what is played",
         shortcut="Shift+End",
     ),
+    Entry(
+        "start-here",
+        "Start here",
+        deeds.play_from_here,
+        "Let what is played start at the playhead",
+    ),
+    Entry("end-here", "End here", deeds.play_to_here, "Let what is played end at the playhead"),
     Entry("frame-back", "Previous frame", lambda t: t.playhead.go_frames(-1), "Go one frame back", shortcut=","),
     Entry("frame-on", "Next frame", lambda t: t.playhead.go_frames(1), "Go one frame on", shortcut="."),
     Entry(
@@ -100,7 +116,7 @@ KEYING = (
         "Key expression",
         keying.key_expression,
         "Make what the face shows now a key expression under the playhead",
-        shortcut="S",
+        shortcut="E",
     ),
     Entry(
         "key-chosen",
@@ -108,7 +124,7 @@ KEYING = (
         lambda timeline: keying.key_channels(timeline, keying.chosen_channels(timeline)),
         "Key what the chosen tracks show now, and nothing else",
         with_tracks,
-        "Shift+S",
+        "Shift+E",
     ),
     Entry(
         "auto-key",
@@ -190,6 +206,36 @@ DROPPING = tuple(
     for each in library()
 )
 
+WHOLE = tuple(
+    Entry(
+        f"curves.{each.key}",
+        f"{each.title}…",
+        lambda timeline, key=each.key: timeline.change(page=key),  # type: ignore[misc]
+        f"{each.hint}: the chosen tracks, or all",
+        lambda timeline: bool(timeline.animation.tracks),
+    )
+    for each in OPERATIONS.values()
+)
+
+LAYERING = (
+    Entry(
+        "layer.add",
+        "Add layer",
+        lambda timeline: layers.add_layer(timeline, keying.chosen_channels(timeline)[0]),
+        "A layer over the captured curve of the chosen track, which keys can bend",
+        with_capture,
+    ),
+    Entry(
+        "layer.bake",
+        "Bake layers",
+        lambda timeline: layers.bake_layers(
+            timeline, keying.chosen_channels(timeline) or layers.layered_channels(timeline)
+        ),
+        "Make layers part of the captured curves: of the chosen tracks, or all",
+        lambda timeline: bool(layers.layered_channels(timeline)),
+    ),
+)
+
 ADDING = (
     Entry(
         "idle",
@@ -211,6 +257,8 @@ SECTIONS: tuple[tuple[tuple[str, ...], int, tuple[Entry, ...]], ...] = (
     (("Edit",), 4, CHOOSING),
     (("Interpolation",), 2, SHAPING),
     (("Interpolation",), 3, EASING),
+    (("Curves",), 2, WHOLE),
+    (("Curves",), 3, LAYERING),
     (("Add", "Dynamic expression"), 3, DROPPING),
     (("Add",), 4, ADDING),
 )

@@ -13,7 +13,7 @@ from facemodel.animation.clip import Animation
 from facemodel.animation.curve import SAME_TIME, Shape
 from facemodel.animation.editing.bulk import eased_keys, flagged_keys, shaped_keys, snapped_keys, valued_keys
 from facemodel.animation.editing.eases import EASES
-from facemodel.animation.editing.marks import with_marker, with_range
+from facemodel.animation.editing.marks import played, with_marker, with_range
 from facemodel.animation.editing.selection import Row, curve_of_row, rows, selected
 from facemodel.animation.editing.tracks import without_tracks
 from facemodel.animation.library import DynamicExpression, placed
@@ -147,6 +147,18 @@ def name_range(timeline: Timeline) -> None:
     taken = {each.name for each in animation.ranges}
     name = next(name for k in range(1, len(taken) + 2) if (name := f"Range {k}") not in taken)
     timeline.edit(with_range(animation, name, start, end), "Name range", chosen=Chosen(ranges=frozenset((name,))))
+
+
+def play_from_here(timeline: Timeline) -> None:
+    """Let what is played start at the playhead."""
+    animation, time = timeline.animation, timeline.playhead.time
+    timeline.edit(played(animation, time, max(animation.end, time)), "Play range")
+
+
+def play_to_here(timeline: Timeline) -> None:
+    """Let what is played end at the playhead."""
+    animation, time = timeline.animation, timeline.playhead.time
+    timeline.edit(played(animation, min(animation.start, time), time), "Play range")
 
 
 def drop(timeline: Timeline, expression: DynamicExpression, strength: float = 1.0) -> None:

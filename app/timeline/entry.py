@@ -44,6 +44,13 @@ def with_anything(timeline: Timeline) -> bool:
     return bool(timeline.chosen) or with_tracks(timeline)
 
 
+def with_capture(timeline: Timeline) -> bool:
+    """While a track with a captured curve is chosen."""
+    channels = chosen_channels(timeline)
+    track = timeline.animation.track(channels[0]) if channels else None
+    return track is not None and track.captured is not None
+
+
 @dataclass(frozen=True)
 class Entry:
     """Something that can be done with a timeline.

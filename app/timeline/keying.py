@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +13,10 @@ from facemodel.animation.channels import RIGID
 from facemodel.animation.clip import Animation
 from facemodel.animation.curve import SAME_TIME
 from facemodel.animation.editing.expressions import expression_keys, keyed, with_expression
+from facemodel.animation.editing.keys import with_key
 from facemodel.animation.editing.selection import Row, curve_of_row, rows, selected
+from facemodel.animation.editing.tracks import with_track
+from facemodel.animation.keyed import values_of
 from facemodel.animation.timecode import snapped
 from fem.types import FloatArray
 
@@ -40,6 +44,17 @@ def key_channels(timeline: Timeline, channels: Iterable[str]) -> None:
     made = keyed(timeline.animation, time, wanted, units, state.spacing, state.shape)
     among = [row for row in rows(made) if row[0] in wanted]
     timeline.edit(made, "Set keys", chosen=Chosen(selected(made, time, time, among)))
+
+
+def insert_key(timeline: Timeline, channel: str, time: float) -> None:
+    """A key on the curve of a channel as it runs, so that nothing is seen to change."""
+    track = timeline.animation.track(channel)
+    if track is None or track.locked:
+        return
+    at = max(snapped(time, timeline.rate) if "frames" in timeline.state.snaps else time, 0.0)
+    made = with_key(track.curve, at, float(values_of(track.curve, np.array([at]))[0]))
+    after = with_track(timeline.animation, replace(track, curve=made))
+    timeline.edit(after, "Insert key", chosen=Chosen(selected(after, at, at, [(channel, 0)])))
 
 
 def chosen_channels(timeline: Timeline) -> tuple[str, ...]:

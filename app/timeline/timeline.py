@@ -72,7 +72,7 @@ class Timeline:
 
     def choose(self, chosen: Chosen) -> None:
         """Let the next deed be about other things; a page of parameters that was about the old ones closes."""
-        self.change(chosen=chosen)
+        self.change(chosen=chosen, page="" if chosen != self.chosen else self._state.page)
 
     def edit(self, after: Animation, label: str, gesture: str = "", chosen: Chosen | None = None) -> None:
         """Go to another animation in one step, and choose what stands there now.

@@ -40,6 +40,8 @@ QToolButton:pressed { background: $line; }
 QToolButton:checked { background: $chosen; }
 QToolButton:focus { border: 1px solid $accent; padding: 4px; }
 QToolButton[role="small"] { padding: 2px; }
+QToolButton[role="menu"] { padding: 2px 8px 2px 2px; }
+QToolButton[role="menu"]::menu-indicator { subcontrol-position: right center; width: 8px; }
 QTabBar#parts { background: $panel; }
 QTabBar#parts::tab { background: transparent; color: $muted; border: none; border-bottom: 2px solid transparent;
   padding: 4px 8px; margin: 0 0 0 4px; }
@@ -54,6 +56,8 @@ QComboBox:hover { background: $hover; }
 QComboBox:focus { border-color: $accent; }
 QComboBox:disabled { color: $faint; background: $panel; }
 QComboBox QAbstractItemView { background: $panel; border: 1px solid $line; padding: 4px 0; }
+QSplitter::handle:horizontal { background: $panel; border-right: 1px solid $line; image: none; }
+QSplitter::handle:horizontal:hover { border-right-color: $accent; }
 QSplitter::handle:vertical { background: $panel; border-top: 1px solid $line; }
 QSplitter::handle:vertical:hover { border-top-color: $accent; }
 QToolButton[role="choice"] { background: $raised; padding: 4px 6px; }
@@ -109,6 +113,7 @@ QLabel[role="error"] { color: $error; }
 QLabel[role="pointer"] { background: $raised; border: 1px solid $line; border-radius: 3px; padding: 3px 8px; }
 QWidget[role="panel"] { background: $panel; }
 QFrame[role="card"] { background: $panel; border: 1px solid $line; border-radius: 4px; }
+QFrame[role="upright"] { background: $line; border: none; max-width: 1px; min-width: 1px; }
 QFrame[role="line"] { background: $line; border: none; max-height: 1px; min-height: 1px; }
 """)
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QWidget
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.theme.metrics import GRID
 from ui.timeline.panel import TimelinePanel
@@ -13,6 +13,9 @@ from ui.window.dock import Dock
 USUAL_HEIGHT = 34 * GRID
 """Pixels of the open timeline at its first opening."""
 
+
+SETTLE = 60
+"""Milliseconds after which the window has laid its docks out anew."""
 
 MOST = 16_777_215
 """Qt's own word for “as high as one likes”."""
@@ -40,18 +43,24 @@ class TimelineDock(Dock):
         """Leave the transport alone, or show everything, without telling anyone."""
         if folded == self.is_folded:
             return
-        if folded:
-            self._height = max(self.height(), USUAL_HEIGHT)
+        line = self.titleBarWidget().sizeHint().height()
+        if folded and self.isVisible():
+            self._height = self.height()
         self.is_folded = folded
         self.transport.show_folded(folded)
         # The panel stays where it is without height: hidden, it would leave the dock no wider than its title.
         self.panel.setMaximumHeight(0 if folded else MOST)
-        line = self.titleBarWidget().sizeHint().height()
         self.setMaximumHeight(line if folded else MOST)
-        self.setMinimumHeight(line)
-        window = self.parentWidget()
-        if isinstance(window, QMainWindow) and not self.isFloating():
-            window.resizeDocks([self], [line if folded else self._height], Qt.Orientation.Vertical)
+        # A dock takes what it needs at least, and keeps it when it needs less again.
+        self.setMinimumHeight(line if folded else self._height)
+        QTimer.singleShot(SETTLE, self, lambda: self.setMinimumHeight(line))
+
+    def open(self) -> None:
+        """Show everything."""
+        self.show()
+        self.raise_()
+        if self.is_folded:
+            self._turn(False)
 
     def _turn(self, folded: bool) -> None:
         self.fold(folded)

@@ -26,6 +26,7 @@ OWN: Mapping[tuple[Qt.Key, Qt.KeyboardModifier], str] = {
     (Key.Key_C, NONE): "timeline.column",
     (Key.Key_M, NONE): "timeline.mirror",
     (Key.Key_K, NONE): "timeline.key",
+    (Key.Key_S, NONE): "timeline.key",
     (Key.Key_Left, NONE): "timeline.frame-back",
     (Key.Key_Right, NONE): "timeline.frame-on",
     (Key.Key_Left, CTRL): "timeline.key-back",

@@ -28,18 +28,19 @@ class Navigator:
     Parameters
     ----------
     view : what is moved about in
+
+    Attributes
+    ----------
+    last : where the middle button was last; none while it is up
+    about : where it went down
+    zooms : whether it zooms
     """
 
     def __init__(self, view: TimelineView) -> None:
         self._view = view
-        self._last: QPointF | None = None
-        self._zooms = False
-        self._about = 0.0
-
-    @property
-    def busy(self) -> bool:
-        """Whether the middle button is down."""
-        return self._last is not None
+        self.last: QPointF | None = None
+        self.about = QPointF()
+        self.zooms = False
 
     def turn(self, event: QWheelEvent) -> None:
         """Zoom to the pointer; with Ctrl go along in time, with Shift through the lines; sideways as it says."""
@@ -59,17 +60,17 @@ class Navigator:
         """Take hold with the middle button: pan, or zoom with Ctrl; whether it was that."""
         if event.button() != Qt.MouseButton.MiddleButton:
             return False
-        self._last, self._about = event.position(), event.position().x()
-        self._zooms = bool(event.modifiers() & Keys.ControlModifier)
+        self.last = self.about = event.position()
+        self.zooms = bool(event.modifiers() & Keys.ControlModifier)
         return True
 
     def move(self, event: QMouseEvent) -> bool:
         """What is seen goes along with the hand; whether it is held."""
-        if self._last is None:
+        if self.last is None:
             return False
-        gone, self._last = event.position() - self._last, event.position()
-        if self._zooms:
-            self._view.see(self._view.scale.zoomed(STEP ** (gone.x() / 20.0), self._about))
+        gone, self.last = event.position() - self.last, event.position()
+        if self.zooms:
+            self._view.see(self._view.scale.zoomed(STEP ** (gone.x() / 20.0), self.about.x()))
         else:
             self._view.see(self._view.scale.panned(gone.x()))
             self._view.scroll(self._view.top - gone.y())
@@ -77,7 +78,7 @@ class Navigator:
 
     def release(self, event: QMouseEvent) -> bool:
         """Let go; whether it was held."""
-        if self._last is None or event.button() != Qt.MouseButton.MiddleButton:
+        if self.last is None or event.button() != Qt.MouseButton.MiddleButton:
             return False
-        self._last = None
+        self.last = None
         return True

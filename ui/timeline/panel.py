@@ -4,13 +4,29 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLineEdit, QScrollBar, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLineEdit,
+    QScrollBar,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
+from app.timeline.keying import insert_key
+from app.timeline.state import TimelineState
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
+from ui.timeline.empty_hint import EmptyHint
+from ui.timeline.graph import Graph
 from ui.timeline.heads import Heads
+from ui.timeline.hits import Hit
+from ui.timeline.inspector.inspector import Inspector
 from ui.timeline.keys import action_of
 from ui.timeline.line_paint import LinePainter
+from ui.timeline.menus import TimelineMenus
 from ui.timeline.paint.ruler import HEIGHT
 from ui.timeline.ruler import Ruler
 from ui.timeline.sheet import Sheet
@@ -44,33 +60,44 @@ class TimelinePanel(QWidget):
     view : what part of which timeline is seen
     binding : the actions of the window
     painter : paints the lines
+    inspector : the column of fields at the right
     """
 
     advised = Signal(str)
     failed = Signal(str)
 
-    def __init__(self, view: TimelineView, binding: ActionBinding, painter: LinePainter) -> None:
+    def __init__(self, view: TimelineView, binding: ActionBinding, painter: LinePainter, inspector: Inspector) -> None:
         super().__init__()
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         timeline = self._timeline = view.timeline
         self._binding, self.view = binding, view
         self.heads, self.ruler = Heads(self.view), Ruler(self.view)
-        self.sheet = Sheet(self.view, painter)
+        self.sheet, self.graph = Sheet(self.view, painter), Graph(self.view)
+        self.inspector = inspector
+        self.menus = TimelineMenus(self, timeline, binding)
+        self.empty = EmptyHint(self.sheet, timeline, binding)
         self.search = SearchLines()
         self.scroll = QScrollBar(Qt.Orientation.Vertical)
         self._lay_out()
-        for part in (self.heads, self.ruler, self.sheet):
+        for part in (self.heads, self.ruler, self.sheet, self.graph):
             part.advised.connect(self.advised)
             part.failed.connect(self.failed)
-        for part in (self.heads, self.sheet):
+        for part in (self.heads, self.sheet, self.graph):
             part.key_pressed.connect(self._press_key)
             part.installEventFilter(self)
+        for canvas in (self.sheet, self.graph):
+            canvas.asked.connect(self.menus.about_hit)
+            canvas.opened.connect(self._open_hit)
+        self.heads.asked.connect(self.menus.about_line)
+        self.ruler.asked.connect(self.menus.about_time)
+        self.ruler.opened.connect(self._open_moment)
         self.search.textChanged.connect(lambda text: timeline.change(sought=text))
         self.scroll.valueChanged.connect(self.view.scroll)
         for signal in (self.view.moved, self.view.relaid):
             signal.connect(self._follow_scroll)
         timeline.playhead.moved.connect(self._reveal)
+        timeline.changed.connect(self._follow_mode)
 
     def eventFilter(self, _watched: object, event: QEvent) -> bool:
         """Keep the keys that mean something here, before a shortcut of the window takes them."""
@@ -80,6 +107,29 @@ class TimelinePanel(QWidget):
         return False
 
     def _lay_out(self) -> None:
+        self.stack = QStackedWidget()
+        self.stack.addWidget(self.sheet)
+        self.stack.addWidget(self.graph)
+        self.split = QSplitter(Qt.Orientation.Horizontal)
+        self.split.setHandleWidth(3)
+        self.split.setChildrenCollapsible(False)
+        self.split.addWidget(_column(self._corner(), self.heads))
+        self.split.addWidget(_column(self.ruler, self.stack))
+        self.split.setStretchFactor(1, 1)
+        self.split.setSizes([HEADS_WIDTH, 100 * GRID])
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(_rule("line"))
+        row = QHBoxLayout()
+        row.setSpacing(0)
+        row.addWidget(self.split, 1)
+        for widget in (self.scroll, _rule("upright"), self.inspector):
+            row.addWidget(widget)
+        layout.addLayout(row, 1)
+
+    def _corner(self) -> QWidget:
+        """What stands above the heads: the search."""
         self.search.setPlaceholderText("Filter")
         self.search.setAccessibleName("Filter tracks")
         self.search.setClearButtonEnabled(True)
@@ -89,31 +139,26 @@ class TimelinePanel(QWidget):
         room = QVBoxLayout(corner)
         room.setContentsMargins(GRID, (HEIGHT - ROW) // 2, GRID, (HEIGHT - ROW) // 2)
         room.addWidget(self.search)
-        left, right = QWidget(), QWidget()
-        for side, parts in ((left, (corner, self.heads)), (right, (self.ruler, self.sheet))):
-            column = QVBoxLayout(side)
-            column.setContentsMargins(0, 0, 0, 0)
-            column.setSpacing(0)
-            column.addWidget(parts[0])
-            column.addWidget(parts[1], 1)
-        self.split = QSplitter(Qt.Orientation.Horizontal)
-        self.split.setHandleWidth(3)
-        self.split.setChildrenCollapsible(False)
-        self.split.addWidget(left)
-        self.split.addWidget(right)
-        self.split.setStretchFactor(1, 1)
-        self.split.setSizes([HEADS_WIDTH, 100 * GRID])
-        top = QFrame()
-        top.setProperty("role", "line")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(top)
-        row = QHBoxLayout()
-        row.setSpacing(0)
-        row.addWidget(self.split, 1)
-        row.addWidget(self.scroll)
-        layout.addLayout(row, 1)
+        return corner
+
+    def _open_hit(self, found: Hit, time: float) -> None:
+        """A double click: a key on an empty place of a track, else the fields about what is there."""
+        line = found.line
+        if found.kind == "nothing" and line is not None and line.kind == "track":
+            insert_key(self._timeline, line.channel, time)
+        elif found.chosen:
+            self.inspector.show()
+
+    def _open_moment(self, time: float) -> None:
+        """A double click on the strip of marks: a marker there."""
+        self._timeline.playhead.go(max(time, 0.0), snap="frames" in self._timeline.state.snaps)
+        if not (self._timeline.chosen.markers or self._timeline.chosen.ranges):
+            self._binding.perform("timeline.marker")
+        self.inspector.show()
+
+    def _follow_mode(self, now: TimelineState, before: TimelineState) -> None:
+        if now.mode != before.mode:
+            self.stack.setCurrentWidget(self.sheet if now.mode == "keys" else self.graph)
 
     def _press_key(self, event: QKeyEvent) -> None:
         """A key that means something to the timeline while it has the focus."""
@@ -133,3 +178,20 @@ class TimelinePanel(QWidget):
     def _reveal(self, time: float) -> None:
         if self._timeline.playhead.playing:
             self.view.reveal(time)
+
+
+def _column(top: QWidget, below: QWidget) -> QWidget:
+    """One widget above another that takes the room."""
+    column = QWidget()
+    layout = QVBoxLayout(column)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.setSpacing(0)
+    layout.addWidget(top)
+    layout.addWidget(below, 1)
+    return column
+
+
+def _rule(role: str) -> QFrame:
+    rule = QFrame()
+    rule.setProperty("role", role)
+    return rule

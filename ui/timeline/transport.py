@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QWidget
 
 from app.timeline.state import SnapTarget, TimelineState
@@ -30,11 +30,12 @@ class Transport(QWidget):
     ----------
     timeline : what is played
     binding : the actions of the window
+    inspector : the column of fields that a button shows
     """
 
     folded = Signal(bool)
 
-    def __init__(self, timeline: Timeline, binding: ActionBinding) -> None:
+    def __init__(self, timeline: Timeline, binding: ActionBinding, inspector: QWidget) -> None:
         super().__init__()
         self._timeline, self._binding = timeline, binding
         self.fold = _button("chevron-right", "Open the timeline")
@@ -44,6 +45,12 @@ class Transport(QWidget):
         self.rate = RateButton(timeline)
         self.add = _menu_button("plus", "Add a dynamic expression, a marker, idle life")
         self.snap = _menu_button("magnet", "What moved things snap to")
+        self.fields = _button("tune-variant", "Fields about what is chosen")
+        self.fields.setCheckable(True)
+        self.fields.setChecked(True)
+        self.fields.toggled.connect(inspector.setVisible)
+        self._inspector = inspector
+        inspector.installEventFilter(self)
         self.modes = {mode: _button(glyph, text) for mode, glyph, text in MODES}
         self._lay_out()
         self._fill_menus()
@@ -64,6 +71,12 @@ class Transport(QWidget):
         self.fold.setAccessibleName(text)
         for widget in self._inner:
             widget.setVisible(not folded)
+
+    def eventFilter(self, _inspector: QObject, event: QEvent) -> bool:
+        """The button says whether the fields are shown."""
+        if event.type() in (QEvent.Type.ShowToParent, QEvent.Type.HideToParent):
+            self.fields.setChecked(self._inspector.isVisibleTo(self._inspector.parentWidget()))
+        return False
 
     def sizeHint(self) -> QSize:
         """One row."""
@@ -87,11 +100,13 @@ class Transport(QWidget):
             self._act(layout, key)
         layout.addWidget(self.add)
         layout.addStretch(1)
-        self._inner: list[QWidget] = [self.snap, *self.modes.values()]
+        self._inner: list[QWidget] = [self.snap, *self.modes.values(), self.fields]
         layout.addWidget(self.snap)
         layout.addSpacing(GRID)
         for button in self.modes.values():
             layout.addWidget(button)
+        layout.addSpacing(GRID)
+        layout.addWidget(self.fields)
         layout.addSpacing(GRID)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 

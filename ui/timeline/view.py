@@ -20,6 +20,7 @@ class TimelineView(QObject):
     moved() : another stretch of time or of the lines is seen
     relaid() : there are other lines
     content() : what is drawn on the lines is different
+    framed() : a stretch of time was brought into view, and values are to be, too
 
     Parameters
     ----------
@@ -29,6 +30,7 @@ class TimelineView(QObject):
     moved = Signal()
     relaid = Signal()
     content = Signal()
+    framed = Signal()
 
     def __init__(self, timeline: Timeline) -> None:
         super().__init__()
@@ -80,6 +82,7 @@ class TimelineView(QObject):
             self._fitted = True
             self.show_all()
         self.scroll(self.top)
+        self.moved.emit()
 
     def show_all(self) -> None:
         """Bring all that is played into view."""
@@ -89,6 +92,7 @@ class TimelineView(QObject):
     def frame(self, start: float, end: float) -> None:
         """Bring a stretch of time into view."""
         self.see(fitted(start, end, self.width))
+        self.framed.emit()
 
     def reveal(self, time: float) -> None:
         """Turn the page if a time is out of sight."""

@@ -13,7 +13,7 @@ from ui.viewport.complexion import Colour
 from ui.viewport.lids import LidLine
 from ui.viewport.look import bytes_of
 from ui.viewport.shading import EYE, apply, glaze
-from ui.viewport.surface import Surface
+from ui.viewport.surface import Surface, moved_by
 
 UPPER_SHADE, UPPER_REACH = 0.80, 2.6
 LOWER_SHADE, LOWER_REACH = 0.35, 1.0
@@ -54,12 +54,25 @@ class EyeInLids:
         self._lids = lids
         self._seen: FloatArray | None = None
         self._front = np.flatnonzero(mesh.positions[:, 2] > eye.centre[2])
-        self._at = mesh.positions[self._front]
+        self._rest = self._at = mesh.positions[self._front]
+        self._motion = np.eye(4)
 
     @property
     def actors(self) -> tuple[vtkActor, ...]:
         """What is drawn, the clear film last."""
         return self.ball.actor, self.film.actor
+
+    def turn(self, motion: FloatArray) -> None:
+        """Turn by a motion (4, 4) about the centre; the lids and their shade stay."""
+        if np.array_equal(motion, self._motion):
+            return
+        self._motion = motion
+        self._at = self._rest @ motion[:3, :3].T + motion[:3, 3]
+        for surface in (self.ball, self.film):
+            moved_by(surface, motion)
+        margin, self._seen = self._seen, None
+        if margin is not None:
+            self._shade_under(margin)
 
     def shade(self, points: Float32Array) -> None:
         """Follow the lids: ``points`` (P, 3) is the posed skin."""
@@ -68,6 +81,9 @@ class EyeInLids:
         margin = self._lids.places(points)
         if self._seen is not None and np.array_equal(margin, self._seen):
             return
+        self._shade_under(margin)
+
+    def _shade_under(self, margin: FloatArray) -> None:
         self._seen = margin
         colours = self.ball.colours
         if colours is not None:

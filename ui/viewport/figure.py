@@ -13,11 +13,11 @@ from ui.viewport.lashes import Lashes
 from ui.viewport.lids import lids_of
 from ui.viewport.look import look_of
 from ui.viewport.neck import neck_cap, neck_cut
-from ui.viewport.parts import enamel, lining, moved_by, socket, tongue
+from ui.viewport.parts import enamel, lining, socket, tongue
 from ui.viewport.seams import seam
 from ui.viewport.shading import Ghost
 from ui.viewport.skin import Skin
-from ui.viewport.surface import Surface
+from ui.viewport.surface import Surface, moved_by
 from ui.viewport.teeth import is_strip, row_of_teeth
 
 

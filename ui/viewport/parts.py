@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 from facemodel.face import Part
 from facemodel.mesh import Mesh
@@ -79,10 +78,3 @@ def _flesh(surface: Surface) -> Surface:
     surface.actor.GetProperty().BackfaceCullingOn()
     surface.actor.ForceOpaqueOn()
     return surface
-
-
-def moved_by(surface: Surface, motion: FloatArray) -> None:
-    """Give a rigid motion (4, 4) to an actor; its points stay."""
-    matrix = vtkMatrix4x4()
-    matrix.DeepCopy([float(x) for x in motion.ravel()])
-    surface.actor.SetUserMatrix(matrix)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 
 from fem.types import Float32Array, FloatArray, IntArray
@@ -125,3 +126,10 @@ def companion(surface: Surface, corners: IntArray) -> vtkActor:
     actor.SetMapper(mapper)
     actor.GetProperty().SetInterpolationToPhong()
     return actor
+
+
+def moved_by(surface: Surface, motion: FloatArray) -> None:
+    """Give a rigid motion (4, 4) to an actor; its points stay."""
+    matrix = vtkMatrix4x4()
+    matrix.DeepCopy([float(x) for x in motion.ravel()])
+    surface.actor.SetUserMatrix(matrix)

@@ -81,7 +81,6 @@ class MainWindow(QMainWindow):
         self.setDockOptions(QMainWindow.DockOption.AllowTabbedDocks | QMainWindow.DockOption.AnimatedDocks)
         self._folded: frozenset[str] = frozenset()
         self.context = Context(document, view, settings, solving, WindowHost(self))
-        ProjectDrops(self, self.context)
         bench = Bench(document, view, deliver=UiThread(self).deliver)
         self.toolbox = ToolBox(bench, all_tools())
         self.span = timeline_view(document)
@@ -183,6 +182,7 @@ class MainWindow(QMainWindow):
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
 
     def _connect(self) -> None:
+        ProjectDrops(self, self.context)
         document = self.context.document
         document.saved_changed.connect(self._retitle)
         document.project_changed.connect(self._retitle)

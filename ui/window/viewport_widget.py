@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from pathlib import Path
 
 from PIL import Image
@@ -28,6 +29,7 @@ from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID
 from ui.viewport.interaction import CameraHands
 from ui.viewport.look import look_of
+from ui.viewport.rigid import turn_head
 from ui.viewport.scene import Scene
 from ui.widgets.pointer_label import PointerLabel
 from ui.window.canvas import FRAME, Canvas
@@ -63,7 +65,8 @@ class Viewport(QWidget):
         self._view = view
         self._shown: tuple[Face, Solution | None] | None = None
         self._coming: tuple[Face, Solution | None] | None = None
-        self._pose_due = False
+        self._pose_due = self._turn_due = False
+        self._rigid: Mapping[str, float] = {}
         self._posed: float | None = None
         self._fresh = False
         self._reported_at = 0.0
@@ -104,8 +107,13 @@ class Viewport(QWidget):
         project, solution = self._document.project, self._solution
         self._shown, self._coming = (project.face, solution), None
         self.scene.show(project, solution)
-        self._fresh = True
+        self._fresh = self._turn_due = True
         self._pose(self._document.shown)
+
+    def turn_head(self, rigid: Mapping[str, float]) -> None:
+        """Turn head and eyes, by degrees and millimetres of channels; see `facemodel.animation.channels`."""
+        self._rigid, self._turn_due = rigid, True
+        self.canvas.ask_frame()
 
     def glow(self, muscles: frozenset[str]) -> None:
         """Let the skin glow where some muscles, by key, pull."""
@@ -219,6 +227,9 @@ class Viewport(QWidget):
             start = time.perf_counter()
             self.scene.pose(seen(self._document, self._view.state))
             self._posed = 1000 * (time.perf_counter() - start)
+        if self._turn_due:
+            self._turn_due = False
+            turn_head(self.scene, self._rigid)
         self.scene.before_frame()
 
     def _note_time(self, drawing: float) -> None:

@@ -18,6 +18,9 @@ TIMES, MARKS, BAND = 24, 15, 7
 
 HEIGHT = TIMES + MARKS + BAND
 
+NO_HOURS = "00:"
+"""What the ruler leaves out of times within the first hour."""
+
 FLAG = 7.0
 """Pixels of a marker's flag."""
 
@@ -76,7 +79,7 @@ def _paint_times(painter: QPainter, pane: Pane) -> None:
         painter.drawLine(QLineF(x, TIMES - (8 if tick.label else 4), x, TIMES))
         if tick.label:
             painter.setPen(QColor(theme.muted))
-            painter.drawText(QPointF(x + 4, TIMES - 9), tick.label)
+            painter.drawText(QPointF(x + 4, TIMES - 9), tick.label.removeprefix(NO_HOURS))
 
 
 def _paint_played(painter: QPainter, pane: Pane) -> None:

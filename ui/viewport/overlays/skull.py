@@ -13,9 +13,8 @@ from fem.types import FloatArray, IntArray
 from ui.viewport.look import bytes_of
 from ui.viewport.occlusion import openness
 from ui.viewport.overlays.overlay import Drawn, Overlay
-from ui.viewport.parts import moved_by
 from ui.viewport.shading import BONE, apply
-from ui.viewport.surface import ByteArray, Surface
+from ui.viewport.surface import ByteArray, Surface, moved_by
 
 BONE_COLOUR = (0.865, 0.815, 0.720)
 RAYS, FEWEST_RAYS = 48, 12
