@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -17,9 +17,6 @@ from facemodel.animation.track import Track
 Kind = Literal["expressions", "audio", "speech", "life", "events", "event", "group", "track", "layer"]
 
 Side = Literal["left", "right", "both"]
-
-FOLDED_AT_FIRST = frozenset(("events",))
-"""Kinds of lines whose inner lines are hidden until they are asked for."""
 
 HEAD_AND_EYES = "Head and eyes"
 OTHERS = "Other channels"
@@ -117,11 +114,6 @@ def channels_title(channels: Sequence[str], units: Sequence[ActionUnit]) -> str:
     return ", ".join(f"{line.number} {line.title}{sides[line.side]}".strip() for line in lines)
 
 
-def is_folded(key: str, kind: Kind, state: TimelineState) -> bool:
-    """Whether the inner lines of a line are hidden."""
-    return (kind in FOLDED_AT_FIRST) != (key in state.flipped)
-
-
 def _side_of(channel: str) -> Side:
     return "left" if channel.startswith("eyeL") else "right" if channel.startswith("eyeR") else "both"
 
@@ -129,43 +121,55 @@ def _side_of(channel: str) -> Side:
 def _event_lines(
     animation: Animation, units: Sequence[ActionUnit], state: TimelineState, sought: str
 ) -> Iterator[Line]:
-    """A lane for all groups of one name, numbers aside, and in it a line for each thing that they move."""
-    lanes: dict[str, list[Event]] = {}
-    for event in animation.events:
-        lanes.setdefault(lane_of(event), []).append(event)
-    for name, events in lanes.items():
-        inner = _lines_of_lane(name, events, units)
-        if sought and not _matches(sought, name, *(f"{line.number} {line.title}" for line in inner)):
-            continue
-        if not name:
-            yield from inner
-            continue
-        key = f"events {name}"
-        folded = is_folded(key, "events", state) and not sought
-        members = tuple(event.key for event in events)
-        yield Line(key, "events", name, members=members, foldable=True, folded=folded)
-        if not folded:
-            yield from (_deeper(line) for line in inner)
+    """Lanes of clips that do not overlap, and below each the lines of the clips in it that are open."""
+    clips = {
+        name: events
+        for name, events in clips_of(animation.events).items()
+        if not sought or _matches(sought, name, *(channels_title(event.channels, units) for event in events))
+    }
+    for number, lane in enumerate(_lanes(clips)):
+        opened = [name for name in lane if f"clip {name}" in state.flipped]
+        members = tuple(event.key for name in lane for event in clips[name])
+        title = "Events" if number == 0 else ""
+        yield Line(f"lane {number}", "events", title, members=members, foldable=True, folded=not opened)
+        for name in opened:
+            yield from _lines_of_clip(name, clips[name], units)
 
 
-def lane_of(event: Event) -> str:
-    """The lane that an event is listed in: the name of its group without a number; empty for one of its own."""
-    return event.group.rstrip("0123456789").rstrip() or event.group
+def clips_of(events: Iterable[Event]) -> dict[str, list[Event]]:
+    """Events by the name of their group; those of none are clips of their own, by their key."""
+    found: dict[str, list[Event]] = {}
+    for event in events:
+        found.setdefault(event.group or event.key, []).append(event)
+    return found
 
 
-def _lines_of_lane(lane: str, events: Iterable[Event], units: Sequence[ActionUnit]) -> list[Line]:
+def _lanes(clips: Mapping[str, Sequence[Event]]) -> list[list[str]]:
+    """Clips from the first on, each in the uppermost lane where it has room."""
+    lanes: list[list[tuple[float, float, str]]] = []
+    for name, events in clips.items():
+        begin, end = min(event.begins for event in events), max(event.ends for event in events)
+        free = (lane for lane in lanes if all(end <= first or begin >= last for first, last, _ in lane))
+        lane = next(free, None)
+        if lane is None:
+            lane = []
+            lanes.append(lane)
+        lane.append((begin, end, name))
+    return [[name for _, _, name in lane] for lane in lanes]
+
+
+def _lines_of_clip(name: str, events: Iterable[Event], units: Sequence[ActionUnit]) -> Iterator[Line]:
+    """A line for each thing that a clip moves."""
     moved: dict[tuple[str, ...], list[Event]] = {}
     for event in events:
         moved.setdefault(event.channels, []).append(event)
-    found: list[Line] = []
     for names, each in moved.items():
         title = channels_title(names, units)
         sides = {channel_line(channel, units).side for channel in names}
         side = next(iter(sides)) if len(sides) == 1 else "both"
-        number, _, name = title.partition(" ") if title[:1].isdigit() and "," not in title else ("", "", title)
+        number, _, words = title.partition(" ") if title[:1].isdigit() and "," not in title else ("", "", title)
         keys = tuple(event.key for event in each)
-        found.append(Line(f"event {lane} {' '.join(names)}", "event", name, number, side, members=keys))
-    return found
+        yield Line(f"event {name} {' '.join(names)}", "event", words, number, side, 1, members=keys)
 
 
 def _track_lines(
@@ -186,7 +190,7 @@ def _track_lines(
             yield from inner
             continue
         key = f"group {title}"
-        folded = is_folded(key, "group", state) and not sought
+        folded = key in state.flipped and not sought
         members = tuple(track.channel for track in listed)
         yield Line(key, "group", title, members=members, foldable=True, folded=folded)
         if not folded:
@@ -195,7 +199,7 @@ def _track_lines(
 
 def _lines_of_track(track: Track, units: Sequence[ActionUnit], state: TimelineState, searching: bool) -> Iterator[Line]:
     line = channel_line(track.channel, units)
-    folded = is_folded(line.key, "track", state) and not searching
+    folded = line.key in state.flipped and not searching
     yield replace(line, foldable=bool(track.layers), folded=folded)
     if not folded:
         for number, layer in enumerate(track.layers, start=1):

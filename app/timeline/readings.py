@@ -10,7 +10,7 @@ import numpy as np
 from app.timeline.chosen import Chosen, times_of
 from app.timeline.moving import Edited, moved
 from facemodel.actions import ActionUnit
-from facemodel.animation.channels import Channel, channel_of
+from facemodel.animation.channels import RIGID, Channel, channel_of
 from facemodel.animation.clip import Animation
 from facemodel.animation.editing.bulk import valued_keys
 from facemodel.animation.editing.events import changed_events, sound, stretched_events, with_events
@@ -148,8 +148,10 @@ def with_length_of_events(animation: Animation, chosen: Chosen, seconds: float) 
 
 
 def strength_of_events(animation: Animation, chosen: Chosen) -> Reading | None:
-    """The largest amplitude of the chosen events."""
-    sizes = [abs(event.amplitude) for event in animation.events if event.key in chosen.events]
+    """The largest weight among the chosen events; degrees or millimetres where they turn nothing but the head."""
+    events = [event for event in animation.events if event.key in chosen.events]
+    weights = [abs(event.amplitude) for event in events if not RIGID.keys() & set(event.channels)]
+    sizes = weights or [abs(event.amplitude) for event in events]
     return Reading(max(sizes)) if sizes else None
 
 

@@ -24,12 +24,13 @@ class TimelineState:
     chosen : keys, events, sounds and marks that the next deed is about
     lines : keys of the lines that are chosen at the left, such as ``track 12L``; curves of these are drawn large
     sought : what is searched for among the lines; all are listed if it is empty
-    flipped : keys of the lines that are folded though most of their kind are open, or open though these are folded
+    flipped : keys of the groups and tracks that are folded, and of the clips of events that are open
     mode : keys on lines, or curves in one graph
     style : how times are written
     snaps : what moved things snap to
     shape : how curves go on from new keys; as they did there if none
     spacing : seconds between the knots of new layers
+    fields : whether the fields at the right are shown; as there is room if none
     page : name of the page of parameters that is open at the right; empty for what is chosen
     """
 
@@ -42,4 +43,5 @@ class TimelineState:
     snaps: frozenset[SnapTarget] = frozenset(("frames",))
     shape: Shape | None = None
     spacing: float = SPACING
+    fields: bool | None = None
     page: str = ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Literal
 
-from app.timeline.lines import Line
+from app.timeline.lines import Line, clips_of
 from app.timeline.timeline import Timeline
 from facemodel.animation.clip import Animation
 from facemodel.animation.editing.events import changed_events
@@ -23,7 +23,19 @@ TITLES: dict[Switch, tuple[str, str]] = {
 
 def flip_fold(timeline: Timeline, line: Line) -> None:
     """Hide the inner lines of a line, or show them."""
-    timeline.change(flipped=timeline.state.flipped ^ {line.key})
+    if line.kind != "events":
+        timeline.change(flipped=timeline.state.flipped ^ {line.key})
+        return
+    events = [event for event in timeline.animation.events if event.key in line.members]
+    clips = {f"clip {name}" for name in clips_of(events)}
+    flipped = timeline.state.flipped
+    timeline.change(flipped=flipped | clips if line.folded else flipped - clips)
+
+
+def flip_clips(timeline: Timeline, keys: frozenset[str]) -> None:
+    """Show what the clips of some events do, line by line, or hide it."""
+    events = [event for event in timeline.animation.events if event.key in keys]
+    timeline.change(flipped=timeline.state.flipped ^ {f"clip {name}" for name in clips_of(events)})
 
 
 def switches_of(line: Line, animation: Animation) -> dict[Switch, bool]:

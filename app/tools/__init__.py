@@ -11,6 +11,7 @@ from app.tools.jaw_axis import JawAxisTool
 from app.tools.lasso import LassoTool
 from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
 from app.tools.pointer import Hit, Pointer, Projector, Ray, skin_hit, skull_hit
+from app.tools.pull import PullTool
 from app.tools.ring import RingTool
 from app.tools.sculpt import SculptTool
 from app.tools.sculpt_state import HandSculpt, SculptState
@@ -23,7 +24,7 @@ from app.tools.toolbox import ToolBox
 SKULL_TOOLS = (MoveSkull, TurnSkull, ScaleSkull, BoneBrush, BoneLasso, BonePart, JawAxisTool, LandmarkTool)
 """Those of the Skull workspace."""
 
-TOOLS = (SelectTool, SculptTool, BrushTool, LassoTool, FillTool, FibreTool, RingTool, *SKULL_TOOLS)
+TOOLS = (PullTool, SelectTool, SculptTool, BrushTool, LassoTool, FillTool, FibreTool, RingTool, *SKULL_TOOLS)
 """All tools, in the order in which they are shown."""
 
 __all__ = [
@@ -49,6 +50,7 @@ __all__ = [
     "MoveSkull",
     "Pointer",
     "Projector",
+    "PullTool",
     "Ray",
     "Ring",
     "RingTool",

@@ -1,7 +1,11 @@
 """A point of the face that is pulled to a place: which weights bring it there (Choe 2001, the second way to set keys).
 
-min over w of |p + D w - target|^2 + r |w - w0|^2 within the limits of the units: D are the fields at the point, w0 the
-weights it had, and r small, so that the point follows the hand and everything else stays as it was as far as it can.
+min over w of |P (p + D w - target)|^2 + r |S (w - w0)|^2 within the limits of the units: D are the fields at the point,
+w0 the weights it had, and r small, so that the point follows the hand and all else stays as it was as far as it can.
+
+P leaves out the line of sight, along which a hand on a screen says nothing.  S is diagonal and holds for every field
+how much farther it moves the face elsewhere than here: a lip corner is pulled up by the unit that is for lip corners,
+and not by a little of everything that moves it too.
 """
 
 from __future__ import annotations
@@ -15,8 +19,14 @@ from facemodel.actions import ActionUnit, Expression
 from facemodel.basis import Basis
 from fem.types import FloatArray
 
-LAZINESS = 0.3
-"""Square millimetres for a full change of one unit: a unit that moves the point by 5 mm brings it 99 % of the way."""
+LAZINESS = 0.5
+"""Square millimetres for a full change of a unit whose largest motion is here: one of 7 mm brings it 99 %."""
+
+FARTHEST = 20.0
+"""How much farther a unit may move the face elsewhere and still count as more than this."""
+
+FULL = 1.0
+"""A hand brings no unit beyond its full strength that was not there before."""
 
 LEAST = 0.5
 """Millimetres that a field has to move the point at weight 1 to have a say; others would be driven to their ends."""
@@ -32,6 +42,7 @@ def pulled(
     weights: Expression,
     units: Sequence[ActionUnit],
     among: Collection[str] | None = None,
+    sight: FloatArray | None = None,
 ) -> dict[str, float]:
     """The weights of the fields that move, and those that did, so that a point comes as near to a place as it can.
 
@@ -43,6 +54,7 @@ def pulled(
     weights : where the sliders stand
     units : of the face
     among : fields that may move; all if not given
+    sight : (3,) unit vector along which it does not matter where the point is
     """
     limits: Mapping[str, float] = {name: unit.limit for unit in units for name in unit.fields}
     names = [name for name in basis.names if name in limits and (among is None or name in among)]
@@ -55,10 +67,12 @@ def pulled(
         return dict(weights)
     before = np.array([weights.get(name, 0.0) for name in names])
     rest = basis.display.points[point].astype(np.float64) + _others(basis, point, weights, names)
-    lazy = np.sqrt(LAZINESS)
-    system = np.vstack([moved.T, lazy * np.eye(len(names))])
-    wanted = np.concatenate([np.asarray(target, dtype=np.float64) - rest, lazy * before])
-    high = np.array([limits[name] for name in names])
+    across = np.eye(3) if sight is None else np.eye(3) - np.outer(sight, sight)
+    peaks = np.array([basis.peak(name) for name in names])
+    lazy = np.sqrt(LAZINESS) * peaks / np.maximum(np.linalg.norm(moved, axis=1), peaks / FARTHEST)
+    system = np.vstack([across @ moved.T, np.diag(lazy)])
+    wanted = np.concatenate([across @ (np.asarray(target, dtype=np.float64) - rest), lazy * before])
+    high = np.array([min(limits[name], max(FULL, weights.get(name, 0.0))) for name in names])
     found = lsq_linear(system, wanted, (np.zeros(len(names)), high), method="bvls").x
     made = {**weights, **dict(zip(names, found.tolist(), strict=True))}
     return {name: weight for name, weight in made.items() if abs(weight) > KEPT or name in weights}

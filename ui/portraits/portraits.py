@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QImage
 
@@ -20,6 +22,9 @@ a picture."""
 
 BREATH = 15
 """Milliseconds between two portraits, in which the window paints and listens."""
+
+Source = Callable[[], Mapping[str, Expression]]
+"""Further expressions by name, as weights of fields."""
 
 Wanted = tuple[tuple[tuple[str, float], ...], Basis, str]
 """All that a portrait shows: the weights, the fields, and the theme of the backdrop."""
@@ -51,6 +56,8 @@ class Portraits(QObject):
         self._studio = Studio()
         self._pictures: dict[str, tuple[Wanted, QImage]] = {}
         self._closed = False
+        self._sources: list[Source] = []
+        self._hindrances: list[Callable[[], bool]] = []
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._take_one)
         for signal in (
@@ -70,6 +77,11 @@ class Portraits(QObject):
     def complete(self) -> bool:
         """Whether every picture shows what there is now."""
         return not self._missing()
+
+    def follow(self, source: Source, hindrance: Callable[[], bool]) -> None:
+        """Take portraits of further expressions too, by names of their own, while nothing hinders it."""
+        self._sources.append(source)
+        self._hindrances.append(hindrance)
 
     def refresh(self, *_what: object) -> None:
         """Take anew, soon, what no longer shows what there is."""
@@ -95,8 +107,10 @@ class Portraits(QObject):
             return {}
         found: dict[str, tuple[Expression, Wanted]] = {}
         expressions = {NEUTRAL: {}, **{emotion.name: emotion.weights for emotion in project.emotions}}
-        for name, weights in expressions.items():
-            fields = expand(weights, project.units)
+        fields_of = {name: expand(weights, project.units) for name, weights in expressions.items()}
+        for source in self._sources:
+            fields_of |= source()
+        for name, fields in fields_of.items():
             found[name] = fields, (tuple(sorted(fields.items())), solution.basis, current_theme().name)
         return found
 
@@ -133,9 +147,9 @@ class Portraits(QObject):
 
     @property
     def _busy(self) -> bool:
-        """Whether a hand is at work."""
+        """Whether a hand is at work, or something else that must not wait."""
         pressed = QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton
-        return pressed or self._document.held
+        return pressed or self._document.held or any(hinders() for hinders in self._hindrances)
 
 
 def _same(one: Wanted, other: Wanted) -> bool:

@@ -30,6 +30,7 @@ GLYPHS: Mapping[str, str] = {
     "view.wireframe": "vector-triangle",
     "view.influence": "blur",
     "tool.select": "cursor-default-outline",
+    "tool.pull": "gesture-swipe",
     "tool.sculpt": "gesture",
     "tool.brush": "brush-outline",
     "tool.lasso": "lasso",

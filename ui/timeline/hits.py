@@ -11,13 +11,13 @@ from PySide6.QtCore import QPointF, QRectF
 
 from app.timeline.chosen import Chosen
 from app.timeline.gestures.events import Part
-from app.timeline.lines import Line, rows_of
+from app.timeline.lines import Line, clips_of, rows_of
 from facemodel.animation.curve import SAME_TIME
 from facemodel.animation.displacement import regions
 from facemodel.animation.editing.expressions import expression_keys
 from facemodel.animation.editing.selection import Row, curve_of_row, selected
 from facemodel.animation.event import Event
-from ui.timeline.paint.events import EventScale, clip_body, clips_of, events_of, handles, parts_by_closeness
+from ui.timeline.paint.events import EventScale, clip_body, events_of, handles, parts_by_closeness
 from ui.timeline.paint.expressions import PORTRAIT
 from ui.timeline.paint.ground import Pane
 from ui.timeline.paint.speech import sounds_area
@@ -121,7 +121,7 @@ def _layer(pane: Pane, line: Line, area: QRectF, at: QPointF) -> Hit | None:
 
 
 def _clip(pane: Pane, line: Line, area: QRectF, at: QPointF) -> Hit | None:
-    for events in reversed(clips_of(pane, line).values()):
+    for events in reversed(clips_of(events_of(pane, line)).values()):
         if clip_body(pane, events, area).contains(at):
             begin = min(event.begins for event in events)
             return Hit("clip", line, Chosen(events=frozenset(event.key for event in events)), begin)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.timeline.keying import insert_key
 from app.timeline.state import TimelineState
+from app.timeline.switches import flip_clips
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
 from ui.timeline.empty_hint import EmptyHint
@@ -34,6 +35,9 @@ from ui.timeline.view import TimelineView
 from ui.window.action_binding import ActionBinding
 
 HEADS_WIDTH = 31 * GRID
+
+ROOM_FOR_FIELDS = 84 * GRID
+"""Pixels below which the fields at the right are left out unless they are asked for."""
 
 
 class SearchLines(QLineEdit):
@@ -106,6 +110,11 @@ class TimelinePanel(QWidget):
             return True
         return False
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where there is little room, the fields make way for what they are about."""
+        super().resizeEvent(event)
+        self.inspector.suit(event.size().width() >= ROOM_FOR_FIELDS)
+
     def _lay_out(self) -> None:
         self.stack = QStackedWidget()
         self.stack.addWidget(self.sheet)
@@ -146,15 +155,17 @@ class TimelinePanel(QWidget):
         line = found.line
         if found.kind == "nothing" and line is not None and line.kind == "track":
             insert_key(self._timeline, line.channel, time)
+        elif found.kind == "clip":
+            flip_clips(self._timeline, found.chosen.events)
         elif found.chosen:
-            self.inspector.show()
+            self._timeline.change(fields=True)
 
     def _open_moment(self, time: float) -> None:
         """A double click on the strip of marks: a marker there."""
         self._timeline.playhead.go(max(time, 0.0), snap="frames" in self._timeline.state.snaps)
         if not (self._timeline.chosen.markers or self._timeline.chosen.ranges):
             self._binding.perform("timeline.marker")
-        self.inspector.show()
+        self._timeline.change(fields=True)
 
     def _follow_mode(self, now: TimelineState, before: TimelineState) -> None:
         if now.mode != before.mode:

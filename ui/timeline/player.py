@@ -24,10 +24,18 @@ class Player(QObject):
     playhead : what plays
     rate : frames per second of the clip, now
     drawn : how many frames the viewport has drawn so far
+    sounds : brings the playhead to where a sound that plays along is; whether pictures may go on
     """
 
-    def __init__(self, playhead: Playhead, rate: Callable[[], float], drawn: Callable[[], int]) -> None:
+    def __init__(
+        self,
+        playhead: Playhead,
+        rate: Callable[[], float],
+        drawn: Callable[[], int],
+        sounds: Callable[[], bool],
+    ) -> None:
         super().__init__()
+        self._sounds = sounds
         self._playhead, self._rate, self._drawn = playhead, rate, drawn
         self._waits_for, self._since = -1, 0.0
         self._timer = QTimer(self)
@@ -45,6 +53,8 @@ class Player(QObject):
     def _tick(self) -> None:
         """Show the next frame once the last one was drawn."""
         now = time.perf_counter()
+        if not self._sounds():
+            return
         if self._drawn() <= self._waits_for and now - self._since < PATIENCE:
             return
         before = self._playhead.time

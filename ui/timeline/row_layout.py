@@ -10,7 +10,7 @@ from app.timeline.lines import Kind, Line
 from ui.theme.metrics import GRID
 
 HEIGHTS: Mapping[Kind, int] = {
-    "expressions": 8 * GRID,
+    "expressions": 3 * GRID,
     "audio": 5 * GRID,
     "speech": 5 * GRID,
     "life": 3 * GRID,
@@ -24,6 +24,9 @@ HEIGHTS: Mapping[Kind, int] = {
 
 TALL = 6 * GRID
 """Pixels of a track that is chosen, so that its curve can be read."""
+
+WITH_PORTRAITS = 8 * GRID
+"""Pixels of the line of key expressions once there are some."""
 
 
 @dataclass(frozen=True)
@@ -47,13 +50,18 @@ class RowLayout:
     ----------
     lines : from top to bottom
     tall : keys of those that are drawn higher
+    portraits : whether there are key expressions
     """
 
-    def __init__(self, lines: Sequence[Line], tall: frozenset[str] = frozenset()) -> None:
+    def __init__(self, lines: Sequence[Line], tall: frozenset[str] = frozenset(), portraits: bool = False) -> None:
         self.rows: list[Placed] = []
         top = 0
         for line in lines:
-            height = TALL if line.kind in ("track", "layer") and line.key in tall else HEIGHTS[line.kind]
+            height = HEIGHTS[line.kind]
+            if line.kind in ("track", "layer") and line.key in tall:
+                height = TALL
+            elif line.kind == "expressions" and portraits:
+                height = WITH_PORTRAITS
             self.rows.append(Placed(line, top, height))
             top += height
         self._tops = [placed.top for placed in self.rows]

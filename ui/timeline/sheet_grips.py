@@ -10,6 +10,7 @@ from app.timeline.gestures.box import Box, ChooseInBox
 from app.timeline.gestures.chosen_things import MoveChosen
 from app.timeline.gestures.events import DragEvent
 from app.timeline.gestures.handles import DragSpacing
+from app.timeline.gestures.sound import MoveSound
 from app.timeline.gestures.speech import DragBound
 from app.timeline.timeline import Timeline
 from ui.timeline.hands import Grip
@@ -44,6 +45,11 @@ class SheetGrips:
         if found.kind == "region" and found.line is not None:
             line = found.line
             return Grip(lambda _: DragSpacing(self._timeline, line.channel, line.layer, found.time))
+        if found.kind == "audio":
+            return Grip(
+                lambda first: MoveSound(self._timeline, first),
+                lambda _: self._timeline.change(lines=frozenset(("audio",))),
+            )
         if found.chosen:
             return self._thing(found, spot)
         return self._empty()

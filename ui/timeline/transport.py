@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QWidget
 
 from app.timeline.state import SnapTarget, TimelineState
@@ -30,7 +31,7 @@ class Transport(QWidget):
     ----------
     timeline : what is played
     binding : the actions of the window
-    inspector : the column of fields that a button shows
+    inspector : the column of fields that a button shows and hides
     """
 
     folded = Signal(bool)
@@ -47,9 +48,7 @@ class Transport(QWidget):
         self.snap = _menu_button("magnet", "What moved things snap to")
         self.fields = _button("tune-variant", "Fields about what is chosen")
         self.fields.setCheckable(True)
-        self.fields.setChecked(True)
-        self.fields.toggled.connect(inspector.setVisible)
-        self._inspector = inspector
+        self.fields.clicked.connect(lambda on: timeline.change(fields=on))
         inspector.installEventFilter(self)
         self.modes = {mode: _button(glyph, text) for mode, glyph, text in MODES}
         self._lay_out()
@@ -75,8 +74,18 @@ class Transport(QWidget):
     def eventFilter(self, _inspector: QObject, event: QEvent) -> bool:
         """The button says whether the fields are shown."""
         if event.type() in (QEvent.Type.ShowToParent, QEvent.Type.HideToParent):
-            self.fields.setChecked(self._inspector.isVisibleTo(self._inspector.parentWidget()))
+            self.fields.setChecked(event.type() == QEvent.Type.ShowToParent)
         return False
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where there is little room, what can be spared makes way."""
+        super().resizeEvent(event)
+        for widget, least in self._spared:
+            widget.setVisible(event.size().width() >= least)
+
+    def minimumSizeHint(self) -> QSize:
+        """Room for what is reached for all the time."""
+        return QSize(46 * GRID, ROW + 4)
 
     def sizeHint(self) -> QSize:
         """One row."""
@@ -84,14 +93,15 @@ class Transport(QWidget):
 
     def _lay_out(self) -> None:
         layout = QHBoxLayout(self)
+        layout.setSizeConstraint(QHBoxLayout.SizeConstraint.SetNoConstraint)
         layout.setContentsMargins(0, 2, 0, 2)
         layout.setSpacing(2)
         title = QLabel("TIMELINE")
         title.setProperty("role", "heading")
+        title.setContentsMargins(0, 0, 2 * GRID, 0)
         layout.addWidget(self.fold)
         layout.addWidget(title)
-        layout.addSpacing(2 * GRID)
-        self.play, *_ = (self._act(layout, key) for key in GOING)
+        going = {key: self._act(layout, key) for key in GOING}
         layout.addSpacing(GRID)
         layout.addWidget(self.time)
         layout.addWidget(self.rate)
@@ -109,6 +119,13 @@ class Transport(QWidget):
         layout.addWidget(self.fields)
         layout.addSpacing(GRID)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._spared: tuple[tuple[QWidget, int], ...] = (
+            (title, 90 * GRID),
+            (going["timeline.start"], 80 * GRID),
+            (going["timeline.end"], 80 * GRID),
+            (self.rate, 68 * GRID),
+            (going["timeline.loop"], 58 * GRID),
+        )
 
     def _act(self, layout: QHBoxLayout, key: str) -> QToolButton:
         button = QToolButton()

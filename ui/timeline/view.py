@@ -105,7 +105,7 @@ class TimelineView(QObject):
         project = self.timeline.document.project
         lines = lines_of(project.animation, project.units, self.timeline.state)
         before = self.layout
-        self.layout = RowLayout(lines, self.timeline.state.lines)
+        self.layout = RowLayout(lines, self.timeline.state.lines, bool(project.animation.expressions))
         if [(p.line, p.height) for p in before.rows] != [(p.line, p.height) for p in self.layout.rows]:
             self.relaid.emit()
             self.scroll(self.top)

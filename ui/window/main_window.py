@@ -55,7 +55,7 @@ LEAST = QSize(1024, 600)
 USUAL = QSize(1440, 900)
 SHARE_OF_SCREEN = 0.94
 
-IDLE_HINT = "Drag a bar to move the face · right-drag turns the head · wheel zooms · Ctrl+Shift+P finds everything"
+IDLE_HINT = "Drag a bar, or the face itself · right-drag turns the head · wheel zooms · Ctrl+Shift+P finds everything"
 
 
 class MainWindow(QMainWindow):
@@ -92,7 +92,7 @@ class MainWindow(QMainWindow):
         parts = Parts(self.context, bench, self.toolbox, self.viewport, self.check, self.portraits, preparation)
         self.panels = WorkspacePanels(parts, WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")
-        self.timeline = TimelineDesk(self.span, self.binding, self.viewport)
+        self.timeline = TimelineDesk(self.span, self.binding, self.viewport, self.context, self.portraits)
         self.docks: dict[str, Dock] = {
             "timeline": self.timeline.dock,
             "workspace": Dock("workspace", "Expression", self.panels),
@@ -226,7 +226,7 @@ class MainWindow(QMainWindow):
     def _actions(self, context: Context) -> tuple[Action, ...]:
         of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
         authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS, *SCULPT_ACTIONS, *skull_actions(self.toolbox.bench))
-        of_window = (*all_actions(context), *desk_actions(self.span), self._console_action())
+        of_window = (*all_actions(context), *desk_actions(self.span, lambda: self.timeline), self._console_action())
         return (*of_window, *authoring, *workspace_actions(WORKSPACES), *of_tools)
 
     def _console_action(self) -> Action:
@@ -241,7 +241,7 @@ class MainWindow(QMainWindow):
     def _take_tool(self, tool: Tool) -> None:
         """Show what is in hand; over the face of the expression workspace the pointer names muscles."""
         posing = self.context.view.state.workspace == "expression"
-        self.hands.activate(not posing)
+        self.hands.activate(not posing or tool.id == "pull")
         self.viewport.face_pointer.awake = posing
         self.viewport.canvas.setCursor(Qt.CursorShape.ArrowCursor if posing else Qt.CursorShape.CrossCursor)
         self._advise()

@@ -11,6 +11,7 @@ from app.tools.fill import FillTool
 from app.tools.jaw_axis import JawAxisTool
 from app.tools.lasso import LassoTool
 from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
+from app.tools.pull import PullTool
 from app.tools.ring import RingTool
 from app.tools.sculpt import SculptTool
 from app.tools.select import SelectTool
@@ -102,7 +103,7 @@ def _prepare_painting(parts: Parts) -> None:
 
 
 WORKSPACES: tuple[WorkspaceKind, ...] = (
-    WorkspaceKind("expression", _expression_panel, (SelectTool,)),
+    WorkspaceKind("expression", _expression_panel, (PullTool, SelectTool)),
     WorkspaceKind(
         "actions",
         _actions_panel,

@@ -34,6 +34,7 @@ class Inspector(QScrollArea):
         super().__init__()
         self._timeline, self._pages = timeline, pages
         self._subject = ""
+        self._roomy = True
         self.page: Page | None = None
         self.setFixedWidth(WIDTH)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -60,6 +61,17 @@ class Inspector(QScrollArea):
                 # What a hand holds is not taken away from under it.
                 self._timer.start()
 
+    @property
+    def shown(self) -> bool:
+        """Whether it is to be seen: as a person wants it, else as there is room."""
+        wanted = self._timeline.state.fields
+        return self._roomy if wanted is None else wanted
+
+    def suit(self, roomy: bool) -> None:
+        """Take note of whether there is room."""
+        self._roomy = roomy
+        self.setVisible(self.shown)
+
     def showEvent(self, event: object) -> None:
         """Catch up with what happened while nobody looked."""
         super().showEvent(event)
@@ -77,5 +89,6 @@ class Inspector(QScrollArea):
         self.setWidget(holder)
 
     def _follow_state(self, now: TimelineState, before: TimelineState) -> None:
+        self.setVisible(self.shown)
         if (now.chosen, now.page, now.lines, now.style) != (before.chosen, before.page, before.lines, before.style):
             self._timer.start()

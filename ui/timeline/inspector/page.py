@@ -87,6 +87,7 @@ def push_button(text: str, act: Callable[[], None], tip: str = "") -> QPushButto
     """A button with words."""
     button = QPushButton(text)
     button.setToolTip(tip)
+    button.setAutoDefault(False)
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     button.clicked.connect(lambda *_on: act())
     return button

@@ -62,7 +62,7 @@ class SoundPage(Page):
         return with_bounds(animation, self._place, end=start + seconds), chosen
 
 
-class SpeechPage(Page):
+class SpeechFields(Page):
     """All that is said.
 
     Parameters

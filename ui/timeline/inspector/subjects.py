@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from app.timeline.timeline import Timeline
 
-KINDS = ("layer", "life", "track")
+KINDS = ("layer", "life", "speech", "audio", "track")
 """Kinds of lines that have a page of their own."""
 
 

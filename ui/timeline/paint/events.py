@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.timeline.gestures.events import Part
-from app.timeline.lines import Line
+from app.timeline.lines import Line, channels_title, clips_of
 from facemodel.animation.channels import channel_of
 from facemodel.animation.event import Event, bump
 from ui.theme.apply import interface_font
@@ -79,10 +79,11 @@ def paint_event(painter: QPainter, pane: Pane, line: Line, area: QRectF) -> None
 
 def paint_events(painter: QPainter, pane: Pane, line: Line, area: QRectF) -> None:
     """Groups of events as clips with their names, and all bumps in them."""
-    for name, events in clips_of(pane, line).items():
+    for name, events in clips_of(events_of(pane, line)).items():
         body = clip_body(pane, events, area)
         if body.right() >= 0 and body.x() <= pane.width:
-            _paint_clip(painter, pane, name, events, body)
+            title = name if events[0].group else channels_title(events[0].channels, pane.units)
+            _paint_clip(painter, pane, title, events, body)
 
 
 def _paint_clip(painter: QPainter, pane: Pane, name: str, events: list[Event], body: QRectF) -> None:
@@ -102,14 +103,6 @@ def _paint_clip(painter: QPainter, pane: Pane, name: str, events: list[Event], b
         painter.setPen(QColor(pane.theme.text))
         align = Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft
         painter.drawText(room, align, elided(painter, name, room.width()))
-
-
-def clips_of(pane: Pane, line: Line) -> dict[str, list[Event]]:
-    """The groups of a lane by name."""
-    found: dict[str, list[Event]] = {}
-    for event in events_of(pane, line):
-        found.setdefault(event.group, []).append(event)
-    return found
 
 
 def clip_body(pane: Pane, events: list[Event], area: QRectF) -> QRectF:

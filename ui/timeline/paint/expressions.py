@@ -14,6 +14,7 @@ from ui.theme.colour import blend
 from ui.theme.metrics import RADIUS, SMALL_TYPE
 from ui.timeline.paint.ground import Pane, elided, paint_key
 from ui.timeline.paint.tracks import paint_keys
+from ui.widgets.portrait_paint import paint_portrait
 
 PORTRAIT = QRectF(-20, 4, 40, 44)
 """Where the portrait is, from the time and the top of the line."""
@@ -45,15 +46,8 @@ def paint_expressions(painter: QPainter, pane: Pane, line: Line, area: QRectF, p
 def _paint_portrait(painter: QPainter, pane: Pane, place: QRectF, picture: QImage | None, chosen: bool) -> None:
     shape = QPainterPath()
     shape.addRoundedRect(place, RADIUS, RADIUS)
-    painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setClipPath(shape)
-    painter.fillRect(place, QColor(pane.theme.raised))
-    if picture is not None:
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.drawImage(place, picture)
-    painter.restore()
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    paint_portrait(painter, shape, picture)
     colour = QColor(pane.theme.accent) if chosen else blend(pane.ground, pane.theme.muted, 0.45)
     painter.setPen(QPen(colour, 1.6 if chosen else 1.0))
     painter.setBrush(Qt.BrushStyle.NoBrush)

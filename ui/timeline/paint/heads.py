@@ -35,7 +35,7 @@ STRIP = 3 * GRID
 """Height of what is written in a head; the rest of a higher line stays empty."""
 
 INDENT = 12
-FOLD = 18
+FOLD = 14
 
 
 @dataclass(frozen=True)
@@ -103,9 +103,9 @@ def _ground(line: Line, look: HeadLook, theme: Theme) -> QColor:
 
 def _paint_name(painter: QPainter, line: Line, room: QRectF, look: HeadLook, muted: bool, theme: Theme) -> None:
     painter.setFont(interface_font(SMALL_TYPE if line.kind in ("group", "layer") else TYPE))
-    x = room.x() + INDENT * line.depth + FOLD
+    x = room.x() + INDENT * line.depth + FOLD + 6
     if line.side != "both":
-        painter.fillRect(QRectF(x - 5, room.center().y() - 5, 2, 10), QColor(getattr(theme, line.side)))
+        painter.fillRect(QRectF(x - 6, room.center().y() - 5, 2, 10), QColor(getattr(theme, line.side)))
     quiet = muted or line.kind == "layer"
     painter.setPen(QColor(theme.muted))
     if line.number:
@@ -138,7 +138,7 @@ def _paint_switch(painter: QPainter, place: QRectF, name: Switch, on: bool, over
 
 
 def _paint_triangle(painter: QPainter, place: QRectF, folded: bool, theme: Theme) -> None:
-    centre = place.center()
+    centre = place.center() + QPointF(2, 0)
     long, short = 4.0, 2.5
     unfolded, shut = [(-long, -short), (long, -short), (0.0, short)], [(-short, -long), (short, 0.0), (-short, long)]
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)

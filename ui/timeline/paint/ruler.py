@@ -118,8 +118,10 @@ def _paint_ranges(painter: QPainter, pane: Pane) -> None:
 def _paint_markers(painter: QPainter, pane: Pane) -> None:
     theme = pane.theme
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    for marker in pane.animation.markers:
+    markers = pane.animation.markers
+    for number, marker in enumerate(markers):
         x = pane.scale.x(marker.time)
+        following = pane.scale.x(markers[number + 1].time) if number + 1 < len(markers) else float("inf")
         if not -100 < x < pane.width + FLAG:
             continue
         colour = QColor(theme.accent if marker.time in pane.chosen.markers else theme.warn)
@@ -129,7 +131,9 @@ def _paint_markers(painter: QPainter, pane: Pane) -> None:
         painter.drawLine(QPointF(x, TIMES + 1), QPointF(x, foot))
         painter.drawPolygon(QPolygonF([QPointF(x, TIMES + 2), QPointF(x + FLAG, TIMES + 5), QPointF(x, TIMES + 9)]))
         painter.setPen(QColor(theme.text))
-        painter.drawText(QPointF(x + FLAG + 3, foot - 2), elided(painter, marker.name, 90))
+        painter.drawText(
+            QPointF(x + FLAG + 3, foot - 2), elided(painter, marker.name, min(following - x - FLAG - 6, 120))
+        )
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 

@@ -21,6 +21,9 @@ WORDS = 15
 LEAST_WRITTEN = 9
 """Pixels below which a sound has no room for its symbol."""
 
+LEAST_WORD = 26
+"""Pixels below which a word has no room for its first letters."""
+
 
 def sounds_area(area: QRectF) -> QRectF:
     """The strip of the sounds in the line."""
@@ -61,6 +64,8 @@ def _paint_word(painter: QPainter, pane: Pane, place: QRectF, text: str, end: fl
     left, right = place.x(), pane.scale.x(end)
     painter.setPen(QPen(blend(pane.ground, pane.theme.muted, 0.5), 1.0))
     painter.drawLine(int(left), int(place.bottom()) - 1, int(max(right - 2, left)), int(place.bottom()) - 1)
+    if right - left < LEAST_WORD:
+        return
     room = QRectF(left, place.y(), max(right - left - 2, 0), place.height() - 2)
     painter.setPen(QColor(pane.theme.text))
     painter.drawText(

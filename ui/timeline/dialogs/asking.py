@@ -1,0 +1,54 @@
+"""The dialogs of the timeline as `app.timeline.exchange.Asks` wants them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import QWidget
+
+from app.actions.context import Context, FileQuestion
+from app.actions.paths import folder, with_suffix
+from app.timeline.sounds import SoundShelf
+from app.timeline.timeline import Timeline
+from facemodel.animation.capture import Capture
+from ui.timeline.dialogs.mapping_page import MappingPage
+from ui.timeline.dialogs.speech_page import SpeechPage
+from ui.timeline.dialogs.viseme_page import VisemePage
+
+WAV = ".wav"
+
+
+class TimelineDialogs:
+    """Opens dialogs over a window.
+
+    Parameters
+    ----------
+    parent : the window
+    timeline : what they are about
+    context : services of the window
+    shelf : where the sound is
+    """
+
+    def __init__(self, parent: QWidget, timeline: Timeline, context: Context, shelf: SoundShelf) -> None:
+        self._parent, self._timeline, self._context, self._shelf = parent, timeline, context, shelf
+
+    def map_capture(self, capture: Capture, path: Path) -> None:
+        """Show how the channels of a capture become those of the face, and take it in when that is settled."""
+        page = MappingPage(self._parent, self._timeline, self._context.host, capture, path)
+        if page.exec():
+            self._context.host.show_message(f"Imported {path.name}: {page.notes.text()}")
+
+    def type_speech(self) -> None:
+        """Let words or sounds be typed."""
+        page = SpeechPage(self._parent, self._timeline, self._shelf.sound, self._ask_voice)
+        if page.exec() and page.notes:
+            self._context.host.show_message(" ".join(page.notes))
+
+    def edit_visemes(self) -> None:
+        """Let it be changed what sounds look like."""
+        VisemePage(self._parent, self._timeline).exec()
+
+    def _ask_voice(self) -> Path | None:
+        start = folder(self._context) / f"voice{WAV}"
+        path = self._context.host.ask_path(FileQuestion("Save voice", "WAV sound", WAV, start, writes=True))
+        return None if path is None else with_suffix(path, WAV)
