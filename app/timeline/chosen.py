@@ -69,7 +69,11 @@ class Chosen:
 
     def toggled(self, other: Chosen) -> Chosen:
         """The other taken out if all of it is chosen, else taken in."""
-        return self.without(other) if self.joined(other) == self else self.joined(other)
+        return self.without(other) if self.holds(other) else self.joined(other)
+
+    def holds(self, other: Chosen) -> bool:
+        """Whether all of the other is chosen here too."""
+        return not other.without(self)
 
 
 NOTHING = Chosen()

@@ -10,12 +10,19 @@ from functools import cache
 import numpy as np
 
 from facemodel.basis import Basis
+from facemodel.errors import FaceError
 from facemodel.face import Face
 from fem.types import FloatArray, IntArray
 from resources import resource
 
 SHARE = 1024.0
 """A unit of the face is a 1024th of the distance that it is called after."""
+
+MEASURED = (
+    *(f"{lid}_lid_mid_{side}" for lid in ("upper", "lower") for side in "LR"),
+    *("subnasale", "upper_lip_mid", "mouth_corner_L", "mouth_corner_R"),
+)
+"""Landmarks between which the units of a face are measured."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +47,18 @@ def feature_points() -> Mapping[str, FeaturePoint]:
 
 
 def face_units(face: Face) -> dict[str, float]:
-    """Millimetres of the units MNS, MW, ENS, ES and IRISD of a face at rest."""
+    """Millimetres of the units MNS, MW, ENS, ES and IRISD of a face at rest.
+
+    Raises
+    ------
+    FaceError
+        If it has no landmarks at eyes, nose or mouth to measure between.
+    """
+    missing = [name for name in MEASURED if name not in face.landmarks]
+    if missing:
+        raise FaceError(
+            f"MPEG-4 measures faces by landmarks, and {face.title} has no {missing[0]}; export another format."
+        )
     at = {name: face.skin.positions[vertex] for name, vertex in face.landmarks.items()}
     left, right = (eye.centre for eye in face.eyes)
     lids = np.mean([at[f"upper_lid_mid_{side}"][1] - at[f"lower_lid_mid_{side}"][1] for side in "LR"])

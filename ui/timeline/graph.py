@@ -88,7 +88,7 @@ class Graph(TimeCanvas):
         if found.kind == "handle":
             return Grip(lambda _: DragHandle(self.timeline, row, key, found.at_end))
         chosen = self.timeline.chosen
-        known = chosen.joined(found.chosen) == chosen
+        known = chosen.holds(found.chosen)
         several = spot.shift or spot.control
         if not known:
             self.timeline.choose(chosen.joined(found.chosen) if several else found.chosen)

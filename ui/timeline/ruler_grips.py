@@ -63,7 +63,7 @@ def _mark(timeline: Timeline, pane: Pane, x: float) -> Grip:
     mark = mark_at(pane, x)
     if not mark:
         return Grip(click=lambda _: timeline.choose(NOTHING))
-    if timeline.chosen.joined(mark) != timeline.chosen:
+    if not timeline.chosen.holds(mark):
         timeline.choose(mark)
     for each in pane.animation.ranges:
         if each.name in mark.ranges:

@@ -63,7 +63,7 @@ class SheetGrips:
     def _thing(self, found: Hit, spot: Spot) -> Grip:
         """A thing that is not chosen yet is chosen by the press, so that it goes along."""
         chosen = self._timeline.chosen
-        known = chosen.joined(found.chosen) == chosen
+        known = chosen.holds(found.chosen)
         if not known:
             self._timeline.choose(chosen.joined(found.chosen) if spot.shift or spot.control else found.chosen)
 

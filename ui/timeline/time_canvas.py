@@ -171,7 +171,7 @@ class TimeCanvas(QWidget):
         if self.hands.busy:
             return
         found = self.hit(QPointF(event.pos()))
-        if found.chosen and self.timeline.chosen.joined(found.chosen) != self.timeline.chosen:
+        if not self.timeline.chosen.holds(found.chosen):
             self.timeline.choose(found.chosen)
         self.asked.emit(found, event.globalPos())
 
