@@ -14,7 +14,7 @@ from app.timeline.values import key_value, value_of, value_text
 from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID
 from ui.timeline.hands import Grip, Hands
-from ui.timeline.navigation import NOTCH, ROWS
+from ui.timeline.navigation import NOTCH, ROWS, STEP
 from ui.timeline.paint.heads import VALUE, HeadLook, fold_area, paint_head, switch_area, value_area
 from ui.timeline.row_layout import Placed
 from ui.timeline.view import TimelineView
@@ -133,8 +133,12 @@ class Heads(QWidget):
             self.mousePressEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Scroll the lines."""
-        self._view.scroll(self._view.top - ROWS * event.angleDelta().y() / NOTCH)
+        """Scroll the lines; with Ctrl make tracks higher or lower."""
+        notches = event.angleDelta().y() / NOTCH
+        if event.modifiers() & Keys.ControlModifier:
+            self._view.stretch(STEP**notches)
+        else:
+            self._view.scroll(self._view.top - ROWS * notches)
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:

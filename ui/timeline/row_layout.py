@@ -22,8 +22,8 @@ HEIGHTS: Mapping[Kind, int] = {
 }
 """Pixels."""
 
-TALL = 6 * GRID
-"""Pixels of a track that is chosen, so that its curve can be read."""
+LOWEST, HIGHEST = 2 * GRID + 4, 14 * GRID
+"""Pixels of a track and its layers, as a person wants them."""
 
 WITH_PORTRAITS = 8 * GRID
 """Pixels of the line of key expressions once there are some."""
@@ -49,17 +49,17 @@ class RowLayout:
     Parameters
     ----------
     lines : from top to bottom
-    tall : keys of those that are drawn higher
+    track : pixels of tracks and layers
     portraits : whether there are key expressions
     """
 
-    def __init__(self, lines: Sequence[Line], tall: frozenset[str] = frozenset(), portraits: bool = False) -> None:
+    def __init__(self, lines: Sequence[Line], track: int = HEIGHTS["track"], portraits: bool = False) -> None:
         self.rows: list[Placed] = []
         top = 0
         for line in lines:
             height = HEIGHTS[line.kind]
-            if line.kind in ("track", "layer") and line.key in tall:
-                height = TALL
+            if line.kind in ("track", "layer"):
+                height = track
             elif line.kind == "expressions" and portraits:
                 height = WITH_PORTRAITS
             self.rows.append(Placed(line, top, height))

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from app.timeline.lines import Line, lines_of
 from app.timeline.state import TimelineState
 from app.timeline.timeline import Timeline
-from ui.timeline.row_layout import RowLayout
+from ui.timeline.row_layout import HEIGHTS, HIGHEST, LOWEST, RowLayout
 from ui.timeline.time_scale import TimeScale, fitted
 
 
@@ -39,6 +39,7 @@ class TimelineView(QObject):
         self.top = 0
         self.scale = TimeScale()
         self._fitted = False
+        self._track_height = HEIGHTS["track"]
         self.layout = RowLayout(())
         self._lay_out()
         timeline.changed.connect(self._follow_state)
@@ -75,6 +76,14 @@ class TimelineView(QObject):
             self.top = kept
             self.moved.emit()
 
+    def stretch(self, factor: float) -> None:
+        """Draw tracks and layers higher or lower."""
+        height = round(min(max(self._track_height * factor, LOWEST), HIGHEST))
+        if height != self._track_height:
+            self._track_height = height
+            self._lay_out()
+            self.content.emit()
+
     def resize(self, width: int, height: int) -> None:
         """Have so many pixels; the first time all that is played is brought into view."""
         self.width, self.height = max(width, 1), max(height, 1)
@@ -105,7 +114,7 @@ class TimelineView(QObject):
         project = self.timeline.document.project
         lines = lines_of(project.animation, project.units, self.timeline.state)
         before = self.layout
-        self.layout = RowLayout(lines, self.timeline.state.lines, bool(project.animation.expressions))
+        self.layout = RowLayout(lines, self._track_height, bool(project.animation.expressions))
         if [(p.line, p.height) for p in before.rows] != [(p.line, p.height) for p in self.layout.rows]:
             self.relaid.emit()
             self.scroll(self.top)
@@ -115,7 +124,7 @@ class TimelineView(QObject):
         self.content.emit()
 
     def _follow_state(self, now: TimelineState, before: TimelineState) -> None:
-        if (now.sought, now.flipped, now.lines) != (before.sought, before.flipped, before.lines):
+        if (now.sought, now.flipped) != (before.sought, before.flipped):
             self._lay_out()
         self.content.emit()
 

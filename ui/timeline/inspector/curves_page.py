@@ -43,6 +43,7 @@ class CurvesPage(Page):
     def close_page(self) -> None:
         """What is seen is taken back unless it was kept."""
         live, self._live = self._live, None
+        self.over = True
         if live is not None and self.timeline.animation is self._shown:
             live.cancel()
 
@@ -66,7 +67,7 @@ class CurvesPage(Page):
             self._shown = self.timeline.animation
 
     def _keep(self) -> None:
-        self._live = None
+        self._live, self.over = None, True
         self.timeline.change(page="")
 
     def _drop(self) -> None:

@@ -53,7 +53,7 @@ class Inspector(QScrollArea):
             return
         subject = subject_of(self._timeline)
         held = self.page is not None and any(field.held for field in self.page.fields)
-        if self.page is None or (subject != self._subject and not held):
+        if self.page is None or self.page.over or (subject != self._subject and not held):
             self._open(subject)
         else:
             self.page.refresh()

@@ -20,7 +20,13 @@ class Page(QWidget):
     ----------
     timeline : what they are about
     title : above them
+
+    Attributes
+    ----------
+    over : whether it has done what it was opened for
     """
+
+    over = False
 
     def __init__(self, timeline: Timeline, title: str) -> None:
         super().__init__()
