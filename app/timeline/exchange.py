@@ -29,6 +29,8 @@ from facemodel.io.weights import read_capture
 from facemodel.io.weights.writing import WEIGHT_EXPORTS, Animated, export_weights
 from facemodel.solve import Progress
 
+Deed = Callable[[Context], None]
+
 IMPORT = ("File", "Import")
 
 
@@ -180,11 +182,11 @@ def _do(errand: Errand, progress: Progress) -> Any:
 
 def exchange_actions(exchange: Callable[[], Exchange], timeline: Timeline) -> tuple[Action, ...]:
     """The actions of exchange, which is asked for when one is done."""
+    return (*_importing(exchange), *_exporting(exchange, timeline), *_asking(exchange))
 
-    def moves(_context: Context) -> bool:
-        return timeline.animation.moves
 
-    importing = (
+def _importing(exchange: Callable[[], Exchange]) -> tuple[Action, ...]:
+    entries: tuple[tuple[str, str, str, Deed], ...] = (
         ("timeline.import", "Weights over time…", "OpenFace, Live Link Face, ARKit, MediaPipe, MPEG-4 or a plain table",
          lambda _: exchange().import_capture()),
         ("timeline.import-speech", "Phonemes…", "Rhubarb, Papagayo, Praat or the Montreal Forced Aligner, from here on",
@@ -192,20 +194,32 @@ def exchange_actions(exchange: Callable[[], Exchange], timeline: Timeline) -> tu
         ("timeline.import-sound", "Sound…", "A WAV file that plays along from the playhead on",
          lambda _: exchange().import_sound()),
     )  # fmt: skip
+    return tuple(Action(key, title, run, menu=IMPORT, group=1, hint=hint) for key, title, hint, run in entries)
+
+
+def _exporting(exchange: Callable[[], Exchange], timeline: Timeline) -> tuple[Action, ...]:
+    def moves(_context: Context) -> bool:
+        return timeline.animation.moves
+
+    def export(kind: str) -> Deed:
+        return lambda _context: exchange().export(kind)
+
+    return tuple(
+        Action(
+            f"timeline.export.{kind}",
+            f"{table.title} over time ({table.suffix})…",
+            export(kind),
+            menu=("File", "Export"),
+            group=1,
+            hint=f"Write {table.holds}",
+            enabled=moves,
+        )
+        for kind, table in WEIGHT_EXPORTS.items()
+    )
+
+
+def _asking(exchange: Callable[[], Exchange]) -> tuple[Action, ...]:
     return (
-        *(Action(key, title, run, menu=IMPORT, group=1, hint=hint) for key, title, hint, run in importing),
-        *(
-            Action(
-                f"timeline.export.{kind}",
-                f"{export.title} over time ({export.suffix})…",
-                lambda _context, kind=kind: exchange().export(kind),  # type: ignore[misc]
-                menu=("File", "Export"),
-                group=1,
-                hint=f"Write {export.holds}",
-                enabled=moves,
-            )
-            for kind, export in WEIGHT_EXPORTS.items()
-        ),
         Action(
             "timeline.type-speech",
             "Type speech…",

@@ -13,6 +13,9 @@ from app.actions import (
     table_signals,
 )
 from app.palette import typed_expression
+from app.playback import Playhead
+from app.timeline.actions import timeline_actions
+from app.timeline.timeline import Timeline
 from facemodel.faces import face_keys
 from facemodel.io.project_file import save_project
 from tests.app.desk import Desk, do, find_action
@@ -37,8 +40,9 @@ def test_every_action_says_what_it_is(context: Context) -> None:
 
 
 def test_every_menu_has_something_and_its_groups_stand_together(context: Context) -> None:
+    of_timeline = timeline_actions(Timeline(context.document, Playhead(context.document)))
     for menu in MENUS:
-        groups = [action.group for action in all_actions(context) if action.menu == (menu,)]
+        groups = [action.group for action in (*all_actions(context), *of_timeline) if action.menu == (menu,)]
         assert groups == sorted(groups), menu
         assert groups or menu == "File", menu
 

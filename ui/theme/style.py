@@ -32,7 +32,7 @@ QMenu::item:disabled { color: $faint; }
 QMenu::separator { height: 1px; background: $line; margin: 4px 0; }
 
 QToolBar { background: $window; border: none; padding: 4px; spacing: 2px; }
-QToolBar::separator:vertical { height: 1px; background: $line; margin: 6px 4px; }
+QToolBar::separator:vertical { height: 1px; background: $line; margin: 4px; }
 QToolBar::separator:horizontal { width: 1px; background: $line; margin: 4px 6px; }
 QToolButton { background: transparent; border: none; border-radius: 3px; padding: 5px; }
 QToolButton:hover { background: $hover; }

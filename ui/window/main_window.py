@@ -93,12 +93,7 @@ class MainWindow(QMainWindow):
         self.panels = WorkspacePanels(parts, WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")
         self.timeline = TimelineDesk(self.span, self.binding, self.viewport, self.context, self.portraits)
-        self.docks: dict[str, Dock] = {
-            "timeline": self.timeline.dock,
-            "workspace": Dock("workspace", "Expression", self.panels),
-            "information": Dock("information", "Face information", FaceInformation(document)),
-            "console": Dock("console", "Console", ConsolePanel(document)),
-        }
+        self.docks = self._make_docks(document)
         self.hands = ToolHands(self.viewport.canvas, self.viewport.scene, self.toolbox)
         self.strip = ToolStrip(self.binding, self.toolbox)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.strip)
@@ -168,6 +163,14 @@ class MainWindow(QMainWindow):
         super().resizeEvent(event)
         if self.palette_box.isVisible():
             self.palette_box.place()
+
+    def _make_docks(self, document: Document) -> dict[str, Dock]:
+        return {
+            "timeline": self.timeline.dock,
+            "workspace": Dock("workspace", "Expression", self.panels),
+            "information": Dock("information", "Face information", FaceInformation(document)),
+            "console": Dock("console", "Console", ConsolePanel(document)),
+        }
 
     def _place_docks(self) -> None:
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.docks["workspace"])
