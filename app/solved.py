@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.differences import same_head
-from facemodel.actions import Expression, field_names
+from facemodel.actions import Expression, skin_fields
 from facemodel.basis import Basis
 from facemodel.project import Project
 from facemodel.sameness import Kept
@@ -42,7 +42,7 @@ def same_fields(one: Project, other: Project) -> bool:
     """Whether two projects have the same displacement fields under the same names, in the same order, on one head."""
     return (
         same_head(one.face, other.face)
-        and field_names(one.units) == field_names(other.units)
+        and skin_fields(one.units) == skin_fields(other.units)
         and not stale_fields(one, other)
     )
 
@@ -104,7 +104,7 @@ class Solutions:
         if self.last is not None and not self.last.shows(project):
             self.last = self.previous = None
         if self.last is None:
-            self.stale_fields, self.stale = frozenset(field_names(project.units)), True
+            self.stale_fields, self.stale = frozenset(skin_fields(project.units)), True
         else:
             self.stale_fields = self.last.stale_for(project)
             self.stale = not self.last.holds_for(project)

@@ -8,9 +8,10 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from facemodel.errors import UnknownNameError
+from facemodel.motions import EyeMotion, HeadMotion
 
 Side = Literal["L", "R"]
-Group = Literal["upper", "horizontal", "vertical", "diagonal", "orbital", "jaw", "eyes"]
+Group = Literal["upper", "horizontal", "vertical", "diagonal", "orbital", "jaw", "eyes", "head"]
 
 GROUP_TITLES: Mapping[Group, str] = {
     "upper": "Upper face",
@@ -20,6 +21,7 @@ GROUP_TITLES: Mapping[Group, str] = {
     "orbital": "Lower face · orbital",
     "jaw": "Jaw",
     "eyes": "Eyes and lids",
+    "head": "Head",
 }
 """The groups of FACS in the order in which they are shown."""
 
@@ -64,7 +66,7 @@ class JawMotion:
 
 @dataclass(frozen=True)
 class ActionUnit:
-    """A weighted sum of muscle activations plus jaw motion.
+    """A weighted sum of muscle activations, and what it does to jaw, eyes and head.
 
     Attributes
     ----------
@@ -78,6 +80,8 @@ class ActionUnit:
     note : one line for people
     limit : the largest weight that its sliders take; 1 is full, `EXAGGERATED` as far as any goes
     letters : the weights at which the intensities A, B, C, D and E of FACS begin, in increasing order
+    eyes : how the eyes turn
+    head : how the head moves
     """
 
     number: int
@@ -90,10 +94,12 @@ class ActionUnit:
     note: str = ""
     limit: float = EXAGGERATED
     letters: tuple[float, ...] = LETTERS
+    eyes: EyeMotion | None = None
+    head: HeadMotion | None = None
 
     @property
     def fields(self) -> tuple[str, ...]:
-        """Names of its displacement fields: ``("12L", "12R")`` or ``("17",)``."""
+        """Names of its sliders, and of its displacement fields if it has any: ``("12L", "12R")`` or ``("17",)``."""
         return (f"{self.number}L", f"{self.number}R") if self.paired else (str(self.number),)
 
     @property
@@ -105,6 +111,11 @@ class ActionUnit:
     def full(self) -> dict[str, float]:
         """Weights that show all of it: both sides at 1, or the left one where they undo each other."""
         return dict.fromkeys(self.fields[:1] if self.opposed else self.fields, 1.0)
+
+    @property
+    def moves_skin(self) -> bool:
+        """Whether it has displacement fields: one that only turns eyes or head has none to be solved."""
+        return bool(self.muscles) or self.jaw is not None or not (self.eyes or self.head)
 
     def jaw_of(self, field_name: str) -> JawMotion | None:
         """What one of its fields does to the mandible: the right one of a pair is the mirror image of the left one."""
@@ -135,8 +146,18 @@ class Emotion:
 
 
 def field_names(units: Iterable[ActionUnit]) -> tuple[str, ...]:
-    """Names of all displacement fields, in the order of the units, left before right."""
+    """Names of all sliders, in the order of the units, left before right."""
     return tuple(name for unit in units for name in unit.fields)
+
+
+def skin_units(units: Iterable[ActionUnit]) -> tuple[ActionUnit, ...]:
+    """The units that have displacement fields."""
+    return tuple(unit for unit in units if unit.moves_skin)
+
+
+def skin_fields(units: Iterable[ActionUnit]) -> tuple[str, ...]:
+    """Names of all displacement fields, in the order of the units, left before right."""
+    return field_names(skin_units(units))
 
 
 def resolve(name: str, units: Sequence[ActionUnit]) -> tuple[str, ...]:
@@ -147,10 +168,10 @@ def resolve(name: str, units: Sequence[ActionUnit]) -> tuple[str, ...]:
     UnknownNameError
         If there is no such action unit, or it has no sides and one was named.
     """
-    asked = re.sub(r"[\s_-]+", " ", name.strip()).lower()
+    asked = _spoken(name)
     bare, side = re.fullmatch(r"(.*?)(?:(?<=\d)|\s+)?([lr])?", asked).groups()  # type: ignore[union-attr]
     for unit in units:
-        spoken = {str(unit.number), f"au{unit.number}", f"au {unit.number}", unit.name.lower()}
+        spoken = {str(unit.number), f"au{unit.number}", f"au {unit.number}", _spoken(unit.name)}
         if asked in spoken:
             return unit.fields
         if side and bare.strip() in spoken and unit.paired:
@@ -161,6 +182,11 @@ def resolve(name: str, units: Sequence[ActionUnit]) -> tuple[str, ...]:
             )
     known = ", ".join(str(u.number) for u in units)
     raise UnknownNameError(f"There is no action unit “{name}”; this face has {known} (paired ones also as 12L, 12R).")
+
+
+def _spoken(name: str) -> str:
+    """A name without what people write in one way or another."""
+    return re.sub(r"[\s_-]+", " ", name.strip()).lower()
 
 
 def find_emotion(name: str, emotions: Sequence[Emotion]) -> Emotion:

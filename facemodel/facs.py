@@ -7,7 +7,8 @@ from typing import Any
 
 from facemodel.actions import ActionUnit, Emotion
 from facemodel.io.records import emotion_of, unit_of
-from facemodel.io.schema import EmotionRecord, UnitRecord
+from facemodel.io.schema import EmotionRecord
+from facemodel.io.unit_schema import UnitRecord
 from resources import resource
 
 

@@ -29,7 +29,7 @@ class Filling:
 def filled_from_facs(project: Project) -> Filling:
     """A project whose units contract the muscles of the table, as far as the project has them.
 
-    Units that the table knows get its weights and jaw motion and keep their name, sides and note; those that the
+    Units that the table knows get its weights and motions and keep their name, sides and note; those that the
     project lacks are put in, and those that the table does not know stay.  On a shipped face the weights are the
     ones that move it as far as the table says.
     """
@@ -56,4 +56,6 @@ def _with_those(unit: ActionUnit, there: set[str]) -> ActionUnit:
 def _filled(unit: ActionUnit, table: ActionUnit | None) -> ActionUnit:
     if table is None:
         return unit
-    return replace(unit, muscles=table.muscles, jaw=table.jaw, amplitude=table.amplitude)
+    return replace(
+        unit, muscles=table.muscles, jaw=table.jaw, amplitude=table.amplitude, eyes=table.eyes, head=table.head
+    )

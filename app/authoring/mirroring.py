@@ -14,15 +14,20 @@ from fem.types import IntArray
 
 
 def one_sided(project: Project, unit: ActionUnit) -> bool:
-    """Whether a unit may be another one than its mirror image: it brings the jaw to one side, or is sculpted."""
-    return bool((unit.jaw and unit.jaw.side and not unit.paired) or layers_of(project, unit))
+    """Whether a unit may be another one than its mirror image: it moves something to one side, or is sculpted."""
+    sideways = (
+        (unit.jaw and unit.jaw.side)
+        or (unit.eyes and unit.eyes.turn)
+        or (unit.head and (unit.head.turn or unit.head.tilt))
+    )
+    return bool((sideways and not unit.paired) or layers_of(project, unit))
 
 
 def mirrored_unit(project: Project, number: int, partners: IntArray) -> Project:
     """A project in which a unit does on the right what it did on the left, and the other way round.
 
     The muscles of a unit are named without their side, so that both sides contract them alike: what is turned over is
-    where the jaw goes and what is sculpted.
+    where jaw, eyes and head go and what is sculpted.
 
     Parameters
     ----------
@@ -43,5 +48,13 @@ def mirrored_unit(project: Project, number: int, partners: IntArray) -> Project:
         raise UnitError(f"Action unit {number} ({unit.name}) is its own mirror image; there is nothing to turn over.")
     across = dict(zip(unit.fields, reversed(unit.fields), strict=True))
     layers = {across[field]: mirrored(each, partners) for field, each in layers_of(project, unit).items()}
-    turned = unit if unit.paired or unit.jaw is None else replace(unit, jaw=unit.jaw.mirrored)
-    return with_unit(with_corrections(project, unit, layers), turned)
+    return with_unit(with_corrections(project, unit, layers), unit if unit.paired else _turned(unit))
+
+
+def _turned(unit: ActionUnit) -> ActionUnit:
+    return replace(
+        unit,
+        jaw=unit.jaw and unit.jaw.mirrored,
+        eyes=unit.eyes and unit.eyes.mirrored,
+        head=unit.head and unit.head.mirrored,
+    )

@@ -10,12 +10,11 @@ from app.authoring.renaming import refielded, spelled
 from app.authoring.unit_names import BY_NUMBER, checked_name, checked_number, free_name, free_number
 from app.errors import UnitError
 from facemodel.actions import EXAGGERATED, GROUP_TITLES, ActionUnit, Group, JawMotion, resolve
-from facemodel.animation.respelling import respelled
 from facemodel.errors import UnknownNameError
 from facemodel.facs import action_units
 from facemodel.muscles.muscle import Model
 from facemodel.project import Project
-from facemodel.sculpting.correction import copied, halved
+from facemodel.sculpting.correction import copied
 
 LONGEST_NOTE = 20_000
 
@@ -192,58 +191,6 @@ def with_group(project: Project, number: int, group: Group) -> Project:
     if group not in GROUP_TITLES:
         raise UnitError(f"There is no group “{group}” of action units; choose one of {', '.join(GROUP_TITLES)}.")
     return with_unit(project, replace(unit_of(project, number), group=group))
-
-
-def split(project: Project, number: int) -> Project:
-    """A project in which left and right of a unit move apart; both keep the weight it has, and together do the same.
-
-    Of a unit that brings the jaw to one side that side's field does all of it, and the other one its mirror image.
-
-    Raises
-    ------
-    UnitError
-        If they do already.
-    """
-    unit = unit_of(project, number)
-    if unit.paired:
-        raise UnitError(f"Action unit {number} ({unit.name}) has left and right already.")
-    if unit.jaw and unit.jaw.side:
-        return _split_sideways(project, unit, unit.jaw)
-    both = replace(unit, paired=True, jaw=_times(unit.jaw, 0.5))
-    weight = project.expression.get(unit.fields[0])
-    expression = {name: each for name, each in project.expression.items() if name != unit.fields[0]}
-    if weight is not None:
-        expression |= dict.fromkeys(both.fields, weight)
-    corrections = halved(project.corrections, both, project.face.skin)
-    animation = respelled(project.animation, lambda name: both.fields if name == unit.fields[0] else (name,))
-    return with_unit(replace(project, expression=expression, corrections=corrections, animation=animation), both)
-
-
-def joined(project: Project, number: int) -> Project:
-    """A project in which left and right of a unit move as one, with the larger of both weights.
-
-    Raises
-    ------
-    UnitError
-        If they do already.
-    """
-    unit = unit_of(project, number)
-    if not unit.paired:
-        raise UnitError(f"Action unit {number} ({unit.name}) has no left and right to join.")
-    one = replace(unit, paired=False, jaw=_times(unit.jaw, 1.0 if unit.jaw and unit.jaw.side else 2.0))
-    return refielded(project, {number: one}, lambda name: one.fields[0] if name in unit.fields else name)
-
-
-def _split_sideways(project: Project, unit: ActionUnit, jaw: JawMotion) -> Project:
-    both = replace(unit, paired=True, jaw=replace(jaw, side=abs(jaw.side)))
-    (whole,), own = unit.fields, both.fields[0 if jaw.side > 0 else 1]
-    return refielded(project, {unit.number: both}, lambda name: own if name == whole else name)
-
-
-def _times(jaw: JawMotion | None, factor: float) -> JawMotion | None:
-    if jaw is None:
-        return None
-    return replace(jaw, degrees=min(max(factor * jaw.degrees, -WIDEST), WIDEST), slide=factor * jaw.slide)
 
 
 def without_units(project: Project, numbers: Collection[int]) -> Project:

@@ -33,7 +33,7 @@ With neither, the expression saved in the project is shown.
 FORMATS = """\
 formats:
   .glb   the whole head at rest with one morph target per action unit, in metres
-  .npz   neutral (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
+  .npz   neutral and posed (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
   .obj   the head with the expression, in millimetres
   .ply   the same as one coloured mesh
 
@@ -158,6 +158,11 @@ def _render(made: ArgumentParser) -> None:
         default=frozenset(),
         help=f"what to draw with the skin, separated by commas: {', '.join(OVERLAYS)}",
     )
+    made.add_argument(
+        "--linear",
+        action="store_true",
+        help="draw the pure linear sum of the fields: no arc of the jaw, nothing that lids and lips meet",
+    )
 
 
 def _export(made: ArgumentParser) -> None:
@@ -216,6 +221,7 @@ COMMANDS = (
             "smile.risorius smile.png --au 12=0.8 --au 1L=0.5",
             "smile.risorius fear.png --emotion fear=1 --view three-quarter --size 1920x1080",
             "smile.risorius muscles.png --show skull,muscles",
+            "smile.risorius look.png --au 61=0.5 --au 53=0.3",
         ),
         WEIGHTS,
     ),

@@ -25,8 +25,12 @@ class Render(Protocol):
         view: ViewName,
         size: tuple[int, int],
         show: Set[str],
+        linear: bool,
     ) -> None:
-        """Draw ``expression`` seen from ``view``, ``size`` pixels wide and high, with the overlays ``show``."""
+        """Draw ``expression`` seen from ``view``, ``size`` pixels wide and high, with the overlays ``show``.
+
+        ``linear`` leaves it at the pure linear sum of the fields.
+        """
 
 
 class Gallery(Protocol):

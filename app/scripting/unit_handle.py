@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from app.authoring import intensities, units
+from app.authoring import intensities, motions, parting, units
 from app.authoring.merging import merged
 from app.authoring.mirroring import mirrored_unit
 from app.intensity import letter_of, weight_of
 from app.scripting.desk import ScriptDesk
 from app.scripting.sculpt_handle import SculptHandle
 from facemodel.actions import ActionUnit, Group, JawMotion
+from facemodel.motions import EyeMotion, HeadMotion
 from facemodel.project import Project
 
 
@@ -146,6 +147,23 @@ class UnitHandle:
         partners = self._desk.ground.partners(self._desk.project.face)
         self._do(partial(mirrored_unit, number=self._number, partners=partners), "Mirror")
 
+    def eyes(self) -> EyeMotion | None:
+        """What it does to the eyes, see `turn_eyes`."""
+        return self._unit.eyes
+
+    def turn_eyes(self, turn: float = 0.0, lift: float = 0.0, spread: float = 0.0) -> None:
+        """Turn the eyes at weight 1 by degrees to the subject's left, up, and each of them outwards."""
+        self._do(lambda project: motions.with_eyes(project, self._number, turn, lift, spread), "Change")
+
+    @property
+    def head(self) -> HeadMotion | None:
+        """What it does to the head, see `move_head`."""
+        return self._unit.head
+
+    def move_head(self, turn: float = 0.0, lift: float = 0.0, tilt: float = 0.0, forward: float = 0.0) -> None:
+        """At weight 1, turn the head left, chin up and to the left shoulder by degrees, and move it by mm."""
+        self._do(lambda project: motions.with_head(project, self._number, turn, lift, tilt, forward), "Change")
+
     def duplicate(self) -> UnitHandle:
         """A copy of it, behind it in the list."""
         project, number = units.with_duplicate(self._desk.project, self._number)
@@ -154,11 +172,11 @@ class UnitHandle:
 
     def split(self) -> None:
         """Give left and right a slider each."""
-        self._do(partial(units.split, number=self._number), "Split")
+        self._do(partial(parting.split, number=self._number), "Split")
 
     def join(self) -> None:
         """Give left and right one slider."""
-        self._do(partial(units.joined, number=self._number), "Join")
+        self._do(partial(parting.joined, number=self._number), "Join")
 
     def merge(self, other: UnitHandle | int, own: float = 1.0, share: float = 1.0) -> None:
         """Do so much of its own, and of what another unit does, in place of both."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -16,8 +17,9 @@ from facemodel.io.schema import (
     ProfilesRecord,
     SettingsRecord,
     SphincterRecord,
-    UnitRecord,
 )
+from facemodel.io.unit_schema import UnitRecord
+from facemodel.motions import EyeMotion, HeadMotion
 from facemodel.muscles import Cosine, Fibre, Muscle, Profile, Profiles, Sphincter
 from facemodel.project import Settings
 from fem.types import FloatArray
@@ -150,6 +152,9 @@ def unit_json(unit: ActionUnit) -> dict[str, Any]:
         document["limit"] = float(unit.limit)
     if unit.letters != LETTERS:
         document["letters"] = [float(weight) for weight in unit.letters]
+    for name, motion in (("eyes", unit.eyes), ("head", unit.head)):
+        if motion is not None:
+            document[name] = {part: float(value) for part, value in asdict(motion).items()}
     return document
 
 
@@ -172,6 +177,8 @@ def unit_of(record: UnitRecord) -> ActionUnit:
         note=record.note,
         limit=record.limit,
         letters=record.letters,
+        eyes=None if record.eyes is None else EyeMotion(**record.eyes.model_dump()),
+        head=None if record.head is None else HeadMotion(**record.head.model_dump()),
     )
 
 

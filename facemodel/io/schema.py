@@ -13,7 +13,6 @@ from typing import Annotated, Any, Final, Literal, TypeVar
 
 from pydantic import Field, ValidationError, model_validator
 
-from facemodel.actions import EXAGGERATED, LETTERS
 from facemodel.io.animation_schema import AnimationRecord
 from facemodel.io.damage import DamageError
 from facemodel.io.record_types import (
@@ -22,7 +21,6 @@ from facemodel.io.record_types import (
     Inside,
     Key,
     Length,
-    Limit,
     Name,
     Point,
     Positive,
@@ -31,15 +29,17 @@ from facemodel.io.record_types import (
     Text,
     Weight,
 )
+from facemodel.io.unit_schema import UnitRecord
+from facemodel.io.upgrades import with_eyes_and_head
 from facemodel.muscles.muscle import Model
 
 PROJECT_FORMAT: Final = "risorius"
 FACE_FORMAT: Final = "risorius-face"
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 """The version that is written.  Whoever changes the meaning of a file raises it and adds an upgrade."""
 
 Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
-UPGRADES: Mapping[int, Upgrade] = {}
+UPGRADES: Mapping[int, Upgrade] = {1: with_eyes_and_head}
 """For each older version the function that turns its document into the next one's; version 1 is the first."""
 
 SMALLEST_EYE, LARGEST_EYE = 8.0, 50.0
@@ -164,35 +164,6 @@ class MuscleRecord(Record):
     colour: Colour = ""
 
 
-class JawMotionRecord(Record):
-    """See `facemodel.actions.JawMotion`."""
-
-    degrees: Annotated[float, Field(ge=-90, le=90)]
-    slide: Length
-    side: Length = 0.0
-
-
-class UnitRecord(Record):
-    """See `facemodel.actions.ActionUnit`."""
-
-    number: Annotated[int, Field(ge=1, le=999)]
-    name: Name
-    group: Literal["upper", "horizontal", "vertical", "diagonal", "orbital", "jaw", "eyes"]
-    paired: bool
-    muscles: dict[Key, Weight]
-    amplitude: Annotated[float, Field(ge=0, le=1e5)]
-    jaw: JawMotionRecord | None
-    note: Text
-    limit: Limit = EXAGGERATED
-    letters: tuple[Limit, Limit, Limit, Limit, Limit] = LETTERS
-
-    @model_validator(mode="after")
-    def _ordered(self) -> UnitRecord:
-        if any(after <= before for before, after in pairwise(self.letters)):
-            raise ValueError("the intensities A to E have to begin one after the other")
-        return self
-
-
 class EmotionRecord(Record):
     """See `facemodel.actions.Emotion`."""
 
@@ -220,7 +191,7 @@ class FaceDocument(Record):
     """The document of a ``.face`` file."""
 
     format: Literal["risorius-face"]
-    version: Literal[1] = Field(alias="schema")
+    version: Literal[2] = Field(alias="schema")
     face: FaceRecord
 
 
@@ -228,7 +199,7 @@ class ProjectDocument(Record):
     """The document of a ``.risorius`` file."""
 
     format: Literal["risorius"]
-    version: Literal[1] = Field(alias="schema")
+    version: Literal[2] = Field(alias="schema")
     face: FaceRecord
     muscles: tuple[MuscleRecord, ...]
     units: tuple[UnitRecord, ...]

@@ -35,7 +35,7 @@ class MusclesDocument(Record):
     """Copied muscles, with the places of the head they come from, by which they can be fitted to another one."""
 
     format: Literal["risorius-muscles"]
-    version: Literal[1] = Field(alias="schema")
+    version: Literal[2] = Field(alias="schema")
     places: dict[Name, tuple[Point, Point]]
     muscles: Annotated[tuple[MuscleRecord, ...], Field(min_length=1, max_length=10_000)]
 

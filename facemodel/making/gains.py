@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from facemodel.actions import ActionUnit
+from facemodel.actions import ActionUnit, skin_units
 from facemodel.atlas import Atlas
 from facemodel.basis import Basis
 from facemodel.face import Face
@@ -25,9 +25,9 @@ LARGEST_TURN = 40.0
 
 def find_gains(face: Face, muscles: tuple[Muscle, ...]) -> Atlas:
     """The atlas of a face with the gain of every action unit of the table."""
-    atlas = Atlas(muscles, {unit.number: 1.0 for unit in action_units()})
+    atlas = Atlas(muscles, {unit.number: 1.0 for unit in skin_units(action_units())})
     for _ in range(5):
-        units = tuple(atlas.scaled(unit) for unit in action_units())
+        units = tuple(atlas.scaled(unit) for unit in skin_units(action_units()))
         basis = solve_project(Project(face, muscles, units, (), {}, Settings(density=1))).basis
         wrong = {unit.number: _factor(basis, unit) for unit in units}
         gains = {number: gain * wrong[number] for number, gain in atlas.gains.items()}

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.authoring import units
+from app.authoring import parting, units
 from app.commands import EditAnimation, edit_animation
 from app.document import Document
 from facemodel.animation.clip import Animation, Marker
@@ -137,8 +137,8 @@ def test_another_head_keeps_what_happens_over_time(document: Document) -> None:
     ("change", "tracks", "events"),
     [
         (lambda p: units.renumbered(p, 12, 112), ["112L", "112R", "17"], [("112L", "112R"), ("17",)]),
-        (lambda p: units.joined(p, 12), ["12", "17"], [("12",), ("17",)]),
-        (lambda p: units.split(p, 17), ["12L", "12R", "17L", "17R"], [("12L", "12R"), ("17L", "17R")]),
+        (lambda p: parting.joined(p, 12), ["12", "17"], [("12",), ("17",)]),
+        (lambda p: parting.split(p, 17), ["12L", "12R", "17L", "17R"], [("12L", "12R"), ("17L", "17R")]),
         (lambda p: units.without_units(p, [17]), ["12L", "12R"], [("12L", "12R")]),
         (lambda p: units.renamed(p, 12, "grin"), ["12L", "12R", "17"], [("12L", "12R"), ("17",)]),
     ],

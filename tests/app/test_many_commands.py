@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.authoring import emotions, pad, sculpting, units
+from app.authoring import emotions, motions, pad, parting, sculpting, units
 from app.authoring.jaw import with_jaw_axis
 from app.authoring.merging import merged
 from app.authoring.mirroring import mirrored_unit
@@ -164,10 +164,12 @@ class Hands:
         number = self.one_of(self.project.units).number  # type: ignore[attr-defined]
         unit = units.unit_of(self.project, number)
         ways: list[Callable[[], Project]] = [
-            lambda: (units.joined if unit.paired else units.split)(self.project, number),
+            lambda: (parting.joined if unit.paired else parting.split)(self.project, number),
             lambda: units.renamed(self.project, number, f"unit {self.count}"),
             lambda: units.renumbered(self.project, number, 200 + self.count),
             lambda: units.with_jaw(self.project, number, 5.0, 1.0, float(self.random.uniform(-5, 5))),
+            lambda: motions.with_eyes(self.project, number, turn=float(self.random.uniform(-30, 30)), lift=4.0),
+            lambda: motions.with_head(self.project, number, tilt=float(self.random.uniform(-30, 30)), forward=9.0),
             lambda: units.moved_unit(self.project, number, int(self.random.integers(4))),
         ]
         if len(self.project.units) > 6:
@@ -268,7 +270,7 @@ def fingerprint(project: Project) -> tuple[str, str]:
         for name, each in project.corrections.items()
     ]
     arrays = {name: array.tobytes() for name, array in animation_arrays(project.animation).items()}
-    named = (project.emotions, project.expression, layers, animation_json(project.animation), arrays)
+    named = (project.emotions, project.expression, project.units, layers, animation_json(project.animation), arrays)
     return solution_key(project), repr(named)
 
 

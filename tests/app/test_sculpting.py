@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.authoring import sculpting, units
+from app.authoring import parting, sculpting, units
 from app.authoring.merging import merged
 from app.errors import UnitError
 from facemodel.errors import UnknownNameError
@@ -105,7 +105,7 @@ def test_whatever_is_done_the_project_can_be_saved_and_names_only_fields_there_a
         "copy": lambda p: sculpting.copied_to(p, 17, 12),
         "clear": lambda p: sculpting.cleared(p, 17),
         "duplicate": lambda p: units.with_duplicate(p, 12)[0],
-        "split": lambda p: units.split(p, 17),
+        "split": lambda p: parting.split(p, 17),
         "merge": lambda p: merged(p, 12, 20),
     }
     for deed in deeds:

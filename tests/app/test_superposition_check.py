@@ -1,4 +1,4 @@
-"""The sum of fields is what the summed loads do, but for the arc of the jaw; and the user sees where."""
+"""The sum of fields is what the summed loads do, along the arc of the jaw as well."""
 
 from dataclasses import replace
 
@@ -38,14 +38,11 @@ def test_without_the_jaw_both_ways_give_the_same_face(solved: Document) -> None:
     assert comparison.largest < 1e-4 * comparison.moved + 1e-5
 
 
-def test_the_arc_of_the_jaw_is_found_where_the_jaw_pulls(solved: Document) -> None:
-    solved.set_weights({"26": 0.5})
+def test_the_skin_follows_the_arc_of_the_jaw(solved: Document) -> None:
+    solved.set_weights({"26": 0.5, "12L": 0.3})
     comparison = checked(solved)
-    assert comparison.largest > 0.01
-    assert comparison.rms < comparison.largest
-    assert solved.solution is not None
-    worst = solved.solution.basis.display.points[int(np.argmax(comparison.apart))]
-    assert worst[1] < 0
+    assert comparison.moved > 1.0
+    assert comparison.rms <= comparison.largest < 1e-4
 
 
 def test_a_face_at_rest_has_nothing_to_check(solved: Document) -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.authoring import units
+from app.authoring import parting, units
 from app.authoring.merging import merged
 from app.authoring.mirroring import mirrored_unit
 from app.errors import UnitError
@@ -14,7 +14,7 @@ from facemodel.actions import ActionUnit, Emotion, JawMotion, expand
 from facemodel.fields import jaw_table
 from facemodel.io.project_file import project_bytes, project_of
 from facemodel.io.records import unit_json, unit_of
-from facemodel.io.schema import UnitRecord
+from facemodel.io.unit_schema import UnitRecord
 from facemodel.project import Project
 from facemodel.sculpting.correction import correction_of
 
@@ -35,16 +35,16 @@ def jaw_now(project: Project, weights: dict[str, float]) -> np.ndarray:
 
 def test_a_jaw_that_opens_opens_as_far_with_its_sides_apart(project: Project) -> None:
     posed = project.posed({"26": 0.8})
-    apart = units.split(posed, 26)
+    apart = parting.split(posed, 26)
     assert jaw_now(apart, dict(apart.expression)) == pytest.approx(jaw_now(posed, {"26": 0.8}))
-    again = units.joined(apart, 26)
+    again = parting.joined(apart, 26)
     assert units.unit_of(again, 26).jaw == units.unit_of(project, 26).jaw
     assert again.expression == posed.expression
 
 
 def test_a_jaw_that_goes_right_becomes_the_right_side_of_a_pair(swaying: Project) -> None:
     before = jaw_now(swaying, dict(swaying.expression))
-    apart = units.split(swaying, 30)
+    apart = parting.split(swaying, 30)
     assert apart.expression == {"30R": 0.5}
     assert jaw_now(apart, dict(apart.expression)) == pytest.approx(before)
     assert jaw_now(apart, {"30L": 0.5}) == pytest.approx(before * [1, 1, -1])
@@ -96,7 +96,7 @@ def test_merging_adds_up_where_the_jaw_goes(swaying: Project) -> None:
 
 
 def test_sides_that_undo_each_other_are_neither_linked_nor_shown_together(swaying: Project) -> None:
-    apart = units.split(swaying, 30)
+    apart = parting.split(swaying, 30)
     sway, smile = units.unit_of(apart, 30), units.unit_of(apart, 12)
     assert sway.opposed
     assert not smile.opposed

@@ -2,7 +2,7 @@
 
 import pytest
 
-from facemodel.actions import GROUP_TITLES, expand
+from facemodel.actions import GROUP_TITLES, expand, skin_units
 from facemodel.atlas import read_atlas
 from facemodel.faces import face_keys
 from facemodel.facs import action_units, emotions
@@ -10,6 +10,7 @@ from resources import resource
 
 NUMBERS = {1, 2, 4, 5, 6, 7, 9, 10, 11, 12, 14, 15, 16, 17, 18, 20, 22, 23, 24, 25, 26, 27, 43}
 MIDLINE = {17, 22, 23, 24, 25, 26, 27}
+EYES, HEAD = set(range(61, 67)), set(range(51, 59))
 
 # Largest displacement of the skin at full contraction, measured on scanned adults, one side where paired; mm.
 MEASURED = {
@@ -64,8 +65,9 @@ PROTOTYPES = {
 
 def test_the_units_are_there_with_their_sides() -> None:
     units = action_units()
-    assert {unit.number for unit in units} == NUMBERS
-    assert {unit.number for unit in units if not unit.paired} == MIDLINE
+    assert {unit.number for unit in units} == NUMBERS | EYES | HEAD
+    assert {unit.number for unit in units if not unit.paired} == MIDLINE | EYES | HEAD
+    assert {unit.number for unit in skin_units(units)} == NUMBERS
     assert {unit.group for unit in units} == set(GROUP_TITLES)
 
 
@@ -87,6 +89,17 @@ def test_the_jaw_moves_in_jaw_units_only_and_opens_further_in_the_larger() -> No
     assert set(moving) == {26, 27}
     assert 0 < moving[26].degrees < moving[27].degrees < 35
     assert 0 <= moving[26].slide <= moving[27].slide < 15
+
+
+def test_eyes_and_head_turn_to_either_side_alike() -> None:
+    units = {unit.number: unit for unit in action_units()}
+    for left, right in ((61, 62), (51, 52), (55, 56)):
+        one, other = units[left], units[right]
+        assert one.eyes == (other.eyes and other.eyes.mirrored)
+        assert one.head == (other.head and other.head.mirrored)
+    assert all(units[number].eyes and not units[number].head for number in EYES)
+    assert all(units[number].head and not units[number].eyes for number in HEAD)
+    assert all(units[number].limit == 1 for number in EYES | HEAD)
 
 
 def test_levator_contracts_to_open_and_relaxes_to_close() -> None:

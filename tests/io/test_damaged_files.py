@@ -133,7 +133,7 @@ def test_any_value_anywhere_in_the_document_is_refused_or_makes_a_project(place:
 
 
 def test_a_newer_file_asks_for_an_update(tmp_path: Path) -> None:
-    data = with_document(lambda d: d.update(schema=2, invention={"a": 1}))
+    data = with_document(lambda d: d.update(schema=3, invention={"a": 1}))
     sentence = complaint(tmp_path / "new.risorius", data)
     assert "newer version" in sentence
     assert "update Risorius" in sentence

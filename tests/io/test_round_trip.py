@@ -13,10 +13,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
+from facemodel import facs
 from facemodel.actions import ActionUnit, Emotion, JawMotion
 from facemodel.errors import ProjectError
 from facemodel.io.face_file import read_face, write_face
 from facemodel.io.project_file import load_project, project_bytes, project_of, save_project
+from facemodel.motions import EyeMotion, HeadMotion
 from facemodel.project import Project, Settings
 from tests.io.small_project import identical, small_face, small_project
 
@@ -39,6 +41,8 @@ def action_units(draw: st.DrawFn) -> tuple[ActionUnit, ...]:
             muscles=draw(st.dictionaries(st.sampled_from(["zygomaticus_major", "orbicularis_oris"]), weights)),
             amplitude=draw(st.floats(0, 1e5)),
             jaw=draw(st.none() | st.builds(JawMotion, st.floats(-90, 90), numbers)),
+            eyes=draw(st.none() | st.builds(EyeMotion, *(3 * [st.floats(-90, 90)]))),
+            head=draw(st.none() | st.builds(HeadMotion, *(3 * [st.floats(-90, 90)]), numbers)),
             note=draw(texts),
             letters=tuple(draw(st.lists(st.floats(0.01, 2), min_size=5, max_size=5, unique=True).map(sorted))),
         )
@@ -106,7 +110,20 @@ def test_a_person_can_read_the_numbers(tmp_path: Path) -> None:
 def test_version_1_still_opens() -> None:
     """The stored file was written when version 1 was new; every later version has to open it."""
     stored = load_project(Path(__file__).parent / "schema-1.risorius")
-    assert identical(stored, small_project())
+    written = small_project()
+    assert identical(dataclasses.replace(stored, units=written.units), written)
+    kept, added = stored.units[: len(written.units)], stored.units[len(written.units) :]
+    assert identical(kept, written.units)
+    assert {unit.number for unit in added} == {*range(51, 59), *range(61, 67)}, "eyes and head can be turned now"
+    assert identical(tuple(sorted(added, key=number)), tuple(sorted(_turning(), key=number)))
+
+
+def number(unit: ActionUnit) -> int:
+    return unit.number
+
+
+def _turning() -> tuple[ActionUnit, ...]:
+    return tuple(unit for unit in facs.action_units() if unit.eyes or unit.head)
 
 
 @pytest.mark.parametrize("single", [False, True])

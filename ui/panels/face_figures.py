@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from facemodel.actions import skin_fields
 from facemodel.project import Project
 from facemodel.solve import Solution
 
@@ -22,7 +23,7 @@ def face_figures(project: Project, solution: Solution | None) -> Figures:
                 ("Elements solved", f"{_whole(solved)} of {_whole(len(face.skin.triangles))}"),
                 ("Element", project.settings.element.upper().replace("HCT", "HCT-")),
                 ("Muscles", _whole(len(project.muscles))),
-                ("Action units", f"{len(project.units)} ({sum(len(u.fields) for u in project.units)} fields)"),
+                ("Action units", f"{len(project.units)} ({len(skin_fields(project.units))} fields)"),
             ),
         )
     ]

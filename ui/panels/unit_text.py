@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from html import escape
 
 from facemodel.actions import ActionUnit, JawMotion
+from facemodel.motions import EyeMotion, HeadMotion
 from facemodel.muscles import Muscle
 
 MuscleTitles = Mapping[str, str]
@@ -30,23 +31,55 @@ def unit_muscles(unit: ActionUnit, titles: MuscleTitles) -> tuple[str, ...]:
 
 def jaw_words(jaw: JawMotion) -> str:
     """What happens to the jaw, as far as anything does: ``12° open, 2 mm forward, 3 mm to the left``."""
-    ways = (
+    return _ways(
         (jaw.degrees, "° open", "° further closed"),
         (jaw.slide, " mm forward", " mm back"),
         (jaw.side, " mm to the left", " mm to the right"),
     )
+
+
+def eye_words(eyes: EyeMotion) -> str:
+    """How the eyes turn, as far as they do: ``35° to the left, 10° up``."""
+    return _ways(
+        (eyes.turn, "° to the left", "° to the right"),
+        (eyes.lift, "° up", "° down"),
+        (eyes.spread, "° outwards each", "° inwards each"),
+    )
+
+
+def head_words(head: HeadMotion) -> str:
+    """How the head moves, as far as it does: ``45° to the left, 35 mm forward``."""
+    return _ways(
+        (head.turn, "° to the left", "° to the right"),
+        (head.lift, "° up", "° down"),
+        (head.tilt, "° tilted to the left", "° tilted to the right"),
+        (head.forward, " mm forward", " mm back"),
+    )
+
+
+def motion_words(unit: ActionUnit) -> str:
+    """What a unit does to jaw, eyes and head: ``jaw, 12° open``."""
+    parts = (
+        ("jaw", unit.jaw and jaw_words(unit.jaw)),
+        ("eyes", unit.eyes and eye_words(unit.eyes)),
+        ("head", unit.head and head_words(unit.head)),
+    )
+    return "; ".join(f"{what}, {words}" for what, words in parts if words)
+
+
+def _ways(*ways: tuple[float, str, str]) -> str:
     return ", ".join(f"{abs(way):g}{one if way > 0 else other}" for way, one, other in ways if way)
 
 
 def unit_tooltip(unit: ActionUnit, titles: MuscleTitles, sculpted: bool = False) -> str:
     """Number, muscles and amplitude, as rich text of a few short lines."""
     moved = list(unit_muscles(unit, titles))
-    if unit.jaw:
-        moved.append(f"jaw, {jaw_words(unit.jaw)}")
+    if motion_words(unit):
+        moved.append(motion_words(unit))
     lines = [
         f"<b>AU {unit.number} · {escape(unit_title(unit))}</b>",
         escape(", ".join(moved)),
-        f"{unit.amplitude:g} mm at 1",
+        f"{unit.amplitude:g} mm at 1" if unit.moves_skin else "",
         "sculpted by hand" if sculpted else "",
         escape(unit.note),
         "Double-click types 0.6 or C · right-click resets · Ctrl past 1 · Shift finer",

@@ -96,5 +96,5 @@ def told(found: Comparison) -> str:
         return f"The sum is exact: less than a thousandth of a millimetre apart, of {found.moved:.1f} mm moved."
     return (
         f"At most {found.largest:.2f} mm apart, {found.rms:.3f} mm rms, of {found.moved:.1f} mm moved. "
-        "Arcs of the jaw and lids on the eye are not linear."
+        "Where lids and lips meet something they give way, which is not linear."
     )

@@ -10,9 +10,8 @@ from app.actions.context import Context
 from app.authoring.facs_table import filled_from_facs
 from app.authoring.merging import merged
 from app.authoring.ordering import listed, placed, stepped
+from app.authoring.parting import joined, split
 from app.authoring.units import (
-    joined,
-    split,
     unit_of,
     with_duplicate,
     with_new_unit,

@@ -1,4 +1,4 @@
-"""What one action unit is made of: how strongly it contracts its muscles, the jaw, and how far the skin is to go."""
+"""What one action unit is made of: muscles, jaw, eyes and head, and how far the skin is to go."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from facemodel.project import Project
 from ui.panels.actions.unit_deeds import UNIT_ACTIONS, in_hand, reached
 from ui.panels.actions.unit_head import UnitHead
 from ui.panels.actions.unit_jaw import UnitJaw
+from ui.panels.actions.unit_motion import UnitMotion
 from ui.panels.actions.unit_range import UnitRange
 from ui.panels.actions.unit_show import UnitShow
 from ui.panels.actions.unit_weights import UnitWeights, heading
@@ -49,6 +50,7 @@ class UnitEditor(QWidget):
         self.show_ = UnitShow(context)
         self.muscles = UnitWeights(context, self._bar, self._change)
         self.jaw = UnitJaw(self._bar)
+        self.motion = UnitMotion(self._bar)
         self.amplitude = self._bar("Meant to move", AMPLITUDE, lambda unit, value: replace(unit, amplitude=value))
         self.range = UnitRange(context)
         self.moved = _quiet("")
@@ -75,7 +77,7 @@ class UnitEditor(QWidget):
             return
         if not self.amplitude.held:
             self.amplitude.set_value(unit.amplitude)
-        for part in (self.head, self.show_, self.muscles, self.jaw, self.range):
+        for part in (self.head, self.show_, self.muscles, self.jaw, self.motion, self.range):
             part.show_unit(unit)
         self.show_result()
 
@@ -85,7 +87,10 @@ class UnitEditor(QWidget):
         if unit is None:
             return
         moved = reached(self._context, unit)
-        self.moved.setText("solving …" if moved is None else f"moves {moved:.1f} mm at 1")
+        if not unit.moves_skin:
+            self.moved.setText("moves no skin by itself")
+        else:
+            self.moved.setText("solving …" if moved is None else f"moves {moved:.1f} mm at 1")
         self.fit.setEnabled(FIT.enabled(self._context))
 
     def _connect(self) -> None:
@@ -154,6 +159,8 @@ class UnitEditor(QWidget):
         form.addWidget(self.muscles)
         form.addSpacing(GRID)
         form.addWidget(self.jaw)
+        form.addSpacing(GRID // 2)
+        form.addWidget(self.motion)
         form.addSpacing(GRID)
         form.addWidget(heading("Skin"))
         form.addLayout(result)

@@ -155,7 +155,7 @@ class UnitList(RowDrag, QTreeWidget):
         for row in self._rows():
             unit = units.get(row.data(0, NUMBER))
             if unit is not None:
-                row.setData(0, EMPTY, not unit.muscles and not unit.jaw and unit.number not in sculpted)
+                row.setData(0, EMPTY, _moves_nothing(unit) and unit.number not in sculpted)
                 row.setData(0, SCULPTED, unit.number in sculpted)
                 row.setData(0, WEIGHT, _written([shown.get(field, 0.0) for field in unit.fields]))
         self.blockSignals(False)
@@ -265,6 +265,10 @@ class UnitList(RowDrag, QTreeWidget):
             self.scrollToItem(row)
         self.blockSignals(False)
         self.viewport().update()
+
+
+def _moves_nothing(unit: ActionUnit) -> bool:
+    return not (unit.muscles or unit.jaw or unit.eyes or unit.head)
 
 
 def _written(weights: list[float]) -> str:

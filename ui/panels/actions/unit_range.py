@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidg
 
 from app.actions.context import Context
 from app.authoring.intensities import with_letter
-from app.authoring.units import SMALLEST_LIMIT, joined, split, with_limit
+from app.authoring.parting import joined, split
+from app.authoring.units import SMALLEST_LIMIT, with_limit
 from facemodel.actions import EXAGGERATED, ActionUnit
 from facemodel.errors import RisoriusError
 from facemodel.project import Project

@@ -1,0 +1,1 @@
+"""How the mandible moves, and how the skin follows it along its arc."""
