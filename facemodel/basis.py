@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from facemodel.display import DisplaySurface
+from facemodel.jaw.arc import JawArc
 from fem.types import Float32Array, FloatArray
 
 
@@ -25,6 +26,7 @@ class Basis:
     jaw : (M, 3) float64, opening in degrees, slide and shift to the left in millimetres, which move the parts that
         the jaw carries
     origin : ``solved``, ``sculpted`` or ``imported``
+    arc : what lets the skin follow a turning jaw between the fields; none if that was not solved
     """
 
     names: tuple[str, ...]
@@ -33,6 +35,7 @@ class Basis:
     slopes: Float32Array
     jaw: FloatArray
     origin: str = "solved"
+    arc: JawArc | None = None
 
     @cached_property
     def index(self) -> dict[str, int]:

@@ -9,16 +9,20 @@ import time
 import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import platformdirs
 
+from facemodel.actions import skin_units
 from facemodel.basis import Basis
 from facemodel.chart import ChartFigures
 from facemodel.display import DisplaySurface
+from facemodel.face import Jaw
+from facemodel.jaw.arc import JawArc
+from facemodel.jaw.modes import JawMode
 from facemodel.project import Project
 from facemodel.solve import Progress, Solution, silent, solve_project
 
@@ -42,7 +46,8 @@ def cache_folder() -> Path:
 def solution_key(project: Project) -> str:
     """Hash of all that the fields depend on: face, muscles, action units and settings, not the expression."""
     digest = hashlib.blake2b(METHOD.encode(), digest_size=16)
-    for piece in _pieces((project.face, project.muscles, project.units, project.settings)):
+    units = tuple(replace(unit, eyes=None, head=None) for unit in skin_units(project.units))
+    for piece in _pieces((project.face, project.muscles, units, project.settings)):
         digest.update(piece)
     return digest.hexdigest()
 
@@ -140,6 +145,7 @@ def _arrays_of(solution: Solution) -> dict[str, np.ndarray[Any, Any]]:
         "fields": basis.fields,
         "slopes": basis.slopes,
         "jaw": basis.jaw,
+        **_arc_arrays(basis.arc),
         "points": display.points,
         "normals": display.normals,
         "rest_slopes": display.slopes,
@@ -170,7 +176,34 @@ def _solution_of(arrays: dict[str, np.ndarray[Any, Any]]) -> Solution:
         carried=tuple(zip((str(name) for name in arrays["carried_names"]), counts, strict=True)),
     )
     names = tuple(str(name) for name in arrays["names"])
-    basis = Basis(names, display, arrays["fields"], arrays["slopes"], arrays["jaw"])
+    basis = Basis(names, display, arrays["fields"], arrays["slopes"], arrays["jaw"], arc=_arc_of(arrays))
     chart = ChartFigures(flips, float(arrays["stretch"][0]), float(arrays["stretch"][1]))
     seconds = dict(zip((str(step) for step in arrays["steps"]), arrays["seconds"].tolist(), strict=True))
     return Solution(basis, chart, unknowns, seconds)
+
+
+def _arc_arrays(arc: JawArc | None) -> dict[str, np.ndarray[Any, Any]]:
+    if arc is None:
+        return {}
+    return {
+        "arc_hinge": np.concatenate([arc.hinge.axis, arc.hinge.teeth[None]]),
+        "arc_carried": arc.carried,
+        "arc_modes": np.array([mode.number for mode in arc.modes], dtype=np.int64),
+        "arc_fields": arc.fields,
+        "arc_slopes": arc.slopes,
+    }
+
+
+def _arc_of(arrays: dict[str, np.ndarray[Any, Any]]) -> JawArc | None:
+    if "arc_modes" not in arrays:
+        return None
+    *axis, teeth = arrays["arc_hinge"]
+    modes = tuple(JawMode(int(number)) for number in arrays["arc_modes"])
+    return JawArc(
+        Jaw(np.array(axis), teeth),
+        arrays["jaw"],
+        arrays["arc_carried"],
+        modes,
+        arrays["arc_fields"],
+        arrays["arc_slopes"],
+    )

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from facemodel.displaced import MEMBRANE, displaced_columns, displaces
 from facemodel.face import Face
+from facemodel.jaw.lips import lead_lips
+from facemodel.jaw.modes import JawMode
 from facemodel.loads import bone_forces, jaw_forces
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import muscle_action
@@ -54,6 +57,7 @@ class Columns:
         self.made = 0
         self._columns: dict[Source, Column] = {}
         self._actions: dict[str, Kept[FloatArray]] = {}
+        self._jaw: Kept[dict[Source, Column]] = Kept()
         self._smooth: Kept[SmoothInterpolation] = Kept()
 
     def __getitem__(self, source: Source) -> Column:
@@ -76,35 +80,40 @@ class Columns:
         face, muscles = project.face, {muscle.key: muscle for muscle in project.muscles}
         self._columns = {s: c for s, c in self._columns.items() if s in muscles or s in sources}
         self._actions = {key: kept for key, kept in self._actions.items() if key in muscles}
-        actions = {source: self._action(source, muscles, face, held) for source in sources}
-        stale = [s for s in sources if s not in self._columns or not same(self._columns[s].action, actions[s])]
-        shifting = [s for s in stale if displacing(s, muscles)]
-        loading = [s for s in stale if not displacing(s, muscles)]
+        modes = tuple(source for source in sources if isinstance(source, JawMode))
+        acting_now = {s: self._action(muscles[s], face, held) for s in sources if isinstance(s, str)}
+        stale = [s for s, a in acting_now.items() if s not in self._columns or not same(self._columns[s].action, a)]
+        shifting = [s for s in stale if displaces(muscles[s])]
+        loading = [s for s in stale if not displaces(muscles[s])]
+        jaw_moved = bool(modes) and not self._jaw.holds(_jaw_made_from(modes, face, held))
+        total = len(stale) + (len(modes) if jaw_moved else 0)
         self.made = 0
-        told(0, len(stale))
+        told(0, total)
         for start in range(0, len(loading), CHUNK):
             chunk = loading[start : start + CHUNK]
-            loads = held.consistent_loads(np.array([actions[s] for s in chunk]))
-            self._keep(chunk, actions, held.system.solve(loads))
-            told(self.made, len(stale))
+            loads = held.consistent_loads(np.array([acting_now[s] for s in chunk]))
+            self._keep(chunk, acting_now, held.system.solve(loads))
+            told(self.made, total)
         if shifting:
-            self._keep(shifting, actions, self._displaced(np.array([actions[s] for s in shifting]), held))
-            told(self.made, len(stale))
+            self._keep(shifting, acting_now, self._displaced(np.array([acting_now[s] for s in shifting]), held))
+            told(self.made, total)
+        if modes:
+            made_from = _jaw_made_from(modes, face, held)
+            self._columns |= self._jaw.get(made_from, lambda: jaw_columns(modes, face, held))
+            self.made = total
+            told(self.made, total)
 
-    def _action(self, source: Source, muscles: Mapping[str, Muscle], face: Face, held: HeldFace) -> FloatArray:
-        """The action of a source; that of a muscle is kept as long as all that it depends on is the same."""
-        if not isinstance(source, str):
-            return action_of(source, muscles, face, held)
-        kept = self._actions.setdefault(source, Kept())
-        depends = (*acting(muscles[source], face), face.solved)
-        return kept.get(depends, lambda: action_of(source, muscles, face, held))
+    def _action(self, muscle: Muscle, face: Face, held: HeldFace) -> FloatArray:
+        """The action of a muscle, kept as long as all that it depends on is the same."""
+        kept = self._actions.setdefault(muscle.key, Kept())
+        return kept.get((*acting(muscle, face), face.solved), lambda: muscle_action_of(muscle, face, held))
 
     def _displaced(self, displacements: FloatArray, held: HeldFace) -> FloatArray:
         head = held.surfaces.head.assembler
         smooth = self._smooth.get((head,), lambda: SmoothInterpolation(head, MEMBRANE))
         return displaced_columns(displacements, smooth, held.surfaces.region, held.supports)
 
-    def _keep(self, sources: Sequence[Source], actions: Mapping[Source, FloatArray], coefficients: FloatArray) -> None:
+    def _keep(self, sources: Sequence[str], actions: Mapping[str, FloatArray], coefficients: FloatArray) -> None:
         for number, source in enumerate(sources):
             self._columns[source] = Column(actions[source], np.ascontiguousarray(coefficients[..., number]))
         self.made += len(sources)
@@ -115,10 +124,36 @@ def displacing(source: Source, muscles: Mapping[str, Muscle]) -> bool:
     return isinstance(source, str) and displaces(muscles[source])
 
 
-def action_of(source: Source, muscles: Mapping[str, Muscle], face: Face, held: HeldFace) -> FloatArray:
-    """What a source does to the skin at activation 1, as `Column.action` has it."""
-    if not isinstance(source, str):
-        return jaw_forces(face, source, held.tissue.springs, held.tissue.anchors, held.tissue.jawbone)
-    if displaces(muscles[source]):
-        return muscle_action(muscles[source], face)
-    return bone_forces(muscles[source], face)[held.surfaces.region.vertices]
+def muscle_action_of(muscle: Muscle, face: Face, held: HeldFace) -> FloatArray:
+    """What a muscle does to the skin at activation 1, as `Column.action` has it."""
+    if displaces(muscle):
+        return muscle_action(muscle, face)
+    return bone_forces(muscle, face)[held.surfaces.region.vertices]
+
+
+def jaw_columns(modes: Sequence[JawMode], face: Face, held: HeldFace) -> dict[Source, Column]:
+    """What whole modes of the jaw do to the skin: the pull of the tissue, and the forces that lead the lips along."""
+    if not modes:
+        return {}
+    tissue = held.tissue
+    pull = np.array([jaw_forces(face, mode, tissue.springs, tissue.anchors, tissue.jawbone) for mode in modes])
+    led = lead_lips(face, held, modes, pull)
+    return {
+        mode: Column(led.forces[number], np.ascontiguousarray(led.coefficients[..., number]))
+        for number, mode in enumerate(modes)
+    }
+
+
+def actions_of(
+    sources: Sequence[Source], muscles: Mapping[str, Muscle], face: Face, held: HeldFace
+) -> dict[Source, FloatArray]:
+    """What each source does to the skin at activation 1, as `Column.action` has it."""
+    of_jaw = jaw_columns([source for source in sources if isinstance(source, JawMode)], face, held)
+    return {
+        s: of_jaw[s].action if isinstance(s, JawMode) else muscle_action_of(muscles[s], face, held) for s in sources
+    }
+
+
+def _jaw_made_from(modes: tuple[JawMode, ...], face: Face, held: HeldFace) -> tuple[Any, ...]:
+    """All that `jaw_columns` depends on."""
+    return modes, held.system, held.tissue, face.skull.jaw, face.skin.positions, face.skin.triangles, face.landmarks

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from facemodel.actions import ActionUnit, JawMotion
+from facemodel.actions import ActionUnit, JawMotion, skin_units
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.sampling import HeadSurface, SolvedRegion, carried_points, display_surface, field_sampler
@@ -59,7 +59,7 @@ def face_sampler(face: Face, head: HeadSurface, region: SolvedRegion, density: i
 
 def jaw_table(units: tuple[ActionUnit, ...]) -> FloatArray:
     """Opening in degrees, slide and shift to the left in millimetres of every field, (M, 3)."""
-    motions = [unit.jaw_of(name) or STILL for unit in units for name in unit.fields]
+    motions = [unit.jaw_of(name) or STILL for unit in skin_units(units) for name in unit.fields]
     rows = [(each.degrees, each.slide, each.side) for each in motions]
     return np.array(rows, dtype=np.float64).reshape(-1, 3)
 

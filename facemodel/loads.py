@@ -6,12 +6,12 @@ from collections.abc import Container, Mapping, Sequence
 
 import numpy as np
 
-from facemodel.actions import ActionUnit, JawMotion
+from facemodel.actions import ActionUnit, skin_units
 from facemodel.errors import FaceError
 from facemodel.face import Face
+from facemodel.jaw.modes import JawMode, mode_motion
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import MODELS, muscle_forces
-from facemodel.superposition import jaw_motion
 from fem import SpringSet
 from fem.types import FloatArray
 
@@ -97,7 +97,7 @@ def contractions(units: Sequence[ActionUnit], muscles: Sequence[Muscle]) -> dict
     keys = {muscle.key for muscle in muscles}
     there = {muscle.name for muscle in muscles}
     fields: dict[str, dict[str, float]] = {}
-    for unit in units:
+    for unit in skin_units(units):
         for missing in sorted(unit.muscles.keys() - there):
             raise FaceError(
                 f"Action unit {unit.number} ({unit.name}) contracts the muscle “{missing}”, which is not there; "
@@ -126,15 +126,12 @@ def springs_carry_jaw(unit: ActionUnit, muscles: Sequence[Muscle]) -> bool:
     return unit.jaw is not None and not pushed & unit.muscles.keys()
 
 
-def jaw_forces(
-    face: Face, motion: JawMotion, springs: SpringSet, anchors: FloatArray, jawbone: FloatArray
-) -> FloatArray:
-    """Force per area (n, 3) with which the tissue pulls the skin when the jaw moves.
+def jaw_forces(face: Face, mode: JawMode, springs: SpringSet, anchors: FloatArray, jawbone: FloatArray) -> FloatArray:
+    """Force per area (n, 3) with which the tissue pulls the skin when the jaw moves in one of its modes.
 
     Parameters
     ----------
     springs, anchors, jawbone : as `facemodel.tissue.tissue_springs` returns them
     """
-    turn = jaw_motion(face.skull.jaw, motion.degrees, motion.slide, motion.side)
-    moved = anchors @ turn[:3, :3].T + turn[:3, 3] - anchors
+    moved = mode_motion(face.skull.jaw, mode, anchors)
     return springs.anchor_forces(jawbone[:, None] * moved, int(springs.vertices.max()) + 1)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from facemodel.basis import Basis
-from facemodel.columns import action_of, displacing
+from facemodel.columns import actions_of, displacing
 from facemodel.fields import face_sampler, jaw_table
 from facemodel.project import Project
 from facemodel.sampling import ELEMENTS, HeadSurface, SolvedRegion
@@ -78,7 +78,8 @@ def face_system(project: Project) -> FaceSystem:
     held = HeldFace(surfaces, tissue, supports, system)
     made_of = recipes(project)
     muscles = {muscle.key: muscle for muscle in project.muscles}
-    known = {s: action_of(s, muscles, face, held) for recipe in made_of.values() for s, _ in recipe}
+    sources = dict.fromkeys(source for recipe in made_of.values() for source, _ in recipe)
+    known = actions_of(tuple(sources), muscles, face, held)
     forces = np.zeros((len(made_of), len(vertices), 3))
     for total, recipe in zip(forces, made_of.values(), strict=True):
         for source, weight in recipe:

@@ -12,14 +12,16 @@ from facemodel.basis import Basis
 from facemodel.chart import ChartFigures, chart_figures
 from facemodel.columns import Column, Columns
 from facemodel.errors import FaceError
-from facemodel.face import Face
+from facemodel.face import Face, Jaw
 from facemodel.fields import FieldSampler, face_sampler, jaw_table
+from facemodel.jaw.arc import JawArc
+from facemodel.jaw.modes import JawMode
 from facemodel.mesh import Mesh
 from facemodel.project import Project
 from facemodel.sameness import Kept, same
 from facemodel.sampling import ELEMENTS
 from facemodel.solution import Clock, Progress, Solution, silent
-from facemodel.sources import Recipe, recipes
+from facemodel.sources import Recipe, jaw_carried, jaw_modes, recipes
 from facemodel.system import (
     HeldFace,
     Stiffened,
@@ -35,7 +37,7 @@ from facemodel.system import (
     stiffened,
 )
 from fem import Assembler, FemError, SurfaceSystem
-from fem.types import FloatArray, IntArray
+from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
 Mix = tuple[tuple[Column, float], ...]
 """Columns and their weights that make up a field."""
@@ -61,10 +63,13 @@ class Work:
 
 @dataclass(frozen=True, eq=False)
 class _Rows:
-    """A basis and what its rows were sampled from."""
+    """Rows of fields and modes of the jaw, what they were sampled from, and the basis made of them."""
 
     sampler: FieldSampler
-    mixes: Mapping[str, Mix]
+    mixes: Mapping[str | JawMode, Mix]
+    turning: tuple[FloatArray, BoolArray, Jaw]
+    fields: Float32Array
+    slopes: Float32Array
     basis: Basis
 
 
@@ -172,28 +177,34 @@ class FaceSolver:
                 progress(f"Solving action units, {done} of {of}", 0.35 + 0.45 * done / of)
 
         sources = dict.fromkeys(source for recipe in made_of.values() for source, _ in recipe)
+        sources |= dict.fromkeys(jaw_modes(project))
         self._columns.update(project, tuple(sources), held, told)
 
     def _basis(self, project: Project, made_of: Mapping[str, Recipe], surfaces: Surfaces) -> Basis:
         """The basis, of which only those rows are sampled that are mixed otherwise than in the last one."""
         sampler = self._sampler_of(project, surfaces)
-        mixes = {name: tuple((self._columns[s], weight) for s, weight in recipe) for name, recipe in made_of.items()}
-        jaw = jaw_table(project.units)
+        modes = jaw_modes(project)
+        whole: dict[str | JawMode, Recipe] = dict(made_of.items())
+        whole |= {mode: ((mode, 1.0),) for mode in modes}
+        mixes = {name: tuple((self._columns[s], weight) for s, weight in recipe) for name, recipe in whole.items()}
+        turning = jaw_table(project.units), jaw_carried(project), project.face.skull.jaw
         last = self._rows if self._rows is not None and self._rows.sampler is sampler else None
-        old = {} if last is None else {n: k for k, n in enumerate(last.basis.names) if mixes.get(n) == last.mixes[n]}
+        old = {} if last is None else {n: k for k, n in enumerate(last.mixes) if mixes.get(n) == last.mixes[n]}
         fresh = [name for name in mixes if name not in old]
-        self.work = replace(self.work, fields=len(fresh))
-        if last is not None and not fresh and tuple(mixes) == last.basis.names and same(jaw, last.basis.jaw):
+        self.work = replace(self.work, fields=sum(isinstance(name, str) for name in fresh))
+        if last is not None and not fresh and tuple(mixes) == tuple(last.mixes) and same(turning, last.turning):
             return last.basis
         sampled = sampler.rows(_mixed([mixes[name] for name in fresh], sampler.unknowns))
         rows = []
-        for new, kept in zip(sampled, (last.basis.fields, last.basis.slopes) if last else sampled, strict=True):
+        for new, kept in zip(sampled, (last.fields, last.slopes) if last else sampled, strict=True):
             row = np.empty((len(mixes), new.shape[1]), dtype=np.float32)
             for number, name in enumerate(mixes):
                 row[number] = kept[old[name]] if name in old else new[fresh.index(name)]
             rows.append(row)
-        basis = Basis(tuple(mixes), sampler.display, rows[0], rows[1], jaw)
-        self._rows = _Rows(sampler, mixes, basis)
+        (fields, slopes), (jaw, carried, hinge), named = rows, turning, len(made_of)
+        arc = JawArc(hinge, jaw, carried, modes, fields[named:], slopes[named:])
+        basis = Basis(tuple(made_of), sampler.display, fields[:named], slopes[:named], jaw, arc=arc)
+        self._rows = _Rows(sampler, mixes, turning, fields, slopes, basis)
         return basis
 
     def _sampler_of(self, project: Project, surfaces: Surfaces) -> FieldSampler:

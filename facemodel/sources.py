@@ -8,15 +8,19 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any
 
-from facemodel.actions import JawMotion
-from facemodel.face import Face
+import numpy as np
+
+from facemodel.actions import JawMotion, skin_units
+from facemodel.face import Face, Jaw
+from facemodel.jaw.modes import JawMode, mode_shares, modes_for, motion_of
 from facemodel.loads import contractions, springs_carry_jaw
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import MODELS
 from facemodel.project import Project
+from fem.types import BoolArray
 
-Source = str | JawMotion
-"""A muscle, by its key, or a motion of the jaw whose pull the tissue carries to the skin."""
+Source = str | JawMode
+"""A muscle, by its key, or a mode of the jaw whose pull the tissue carries to the skin."""
 
 Recipe = tuple[tuple[Source, float], ...]
 """Sources and their weights, in order."""
@@ -35,12 +39,31 @@ def recipes(project: Project) -> dict[str, Recipe]:
     """
     contracted = contractions(project.units, project.muscles)
     made: dict[str, Recipe] = {}
-    for unit in project.units:
+    for unit in skin_units(project.units):
         carried = springs_carry_jaw(unit, project.muscles)
         for name in unit.fields:
-            jaw = unit.jaw_of(name)
-            made[name] = (*contracted[name].items(), *(((jaw, 1.0),) if jaw and carried else ()))
+            jaw = _jaw_recipe(project.face.skull.jaw, unit.jaw_of(name)) if carried else ()
+            made[name] = (*contracted[name].items(), *jaw)
     return made
+
+
+def _jaw_recipe(hinge: Jaw, motion: JawMotion | None) -> Recipe:
+    if motion is None:
+        return ()
+    shares = mode_shares(hinge, motion_of(hinge, motion))
+    return tuple((JawMode(number), float(share)) for number, share in enumerate(shares) if share)
+
+
+def jaw_modes(project: Project) -> tuple[JawMode, ...]:
+    """The modes of the jaw of which any sum of the project's units is made, as far as the tissue carries it."""
+    carried = (unit.jaw for unit in project.units if springs_carry_jaw(unit, project.muscles))
+    return modes_for([motion for motion in carried if motion is not None])
+
+
+def jaw_carried(project: Project) -> BoolArray:
+    """Whether (M,) the tissue carries the skin along with the jaw of each displacement field."""
+    carried = [springs_carry_jaw(unit, project.muscles) for unit in skin_units(project.units) for _ in unit.fields]
+    return np.array(carried, dtype=np.bool_)
 
 
 def acting(muscle: Muscle, face: Face) -> tuple[Any, ...]:

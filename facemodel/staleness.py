@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from facemodel.actions import JawMotion, field_names
+from facemodel.actions import skin_fields
 from facemodel.errors import FaceError
 from facemodel.face import Face
+from facemodel.jaw.modes import JawMode
 from facemodel.project import Project
 from facemodel.sameness import same
 from facemodel.skull.spring_checks import spring_faults
@@ -24,7 +25,7 @@ def stale_fields(solved: Project, project: Project) -> frozenset[str]:
     solved : what the solution was solved from
     project : the project now; all of its fields are stale if it cannot be solved as it is
     """
-    names = frozenset(field_names(project.units))
+    names = frozenset(skin_fields(project.units))
     held_alike = project.face is solved.face and project.settings == solved.settings
     if held_alike and project.muscles == solved.muscles and project.units == solved.units:
         return frozenset()
@@ -68,7 +69,7 @@ def _fields(project: Project) -> dict[str, tuple[Any, ...]]:
     hinge = (project.face.skull.jaw, project.face.skull.jawbone)
     jaws = {name: unit.jaw_of(name) for unit in project.units for name in unit.fields}
 
-    def depends(source: str | JawMotion) -> tuple[Any, ...]:
+    def depends(source: str | JawMode) -> tuple[Any, ...]:
         return acting(muscles[source], project.face) if isinstance(source, str) else (source, hinge)
 
     return {

@@ -8,12 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from facemodel.face import Face
+from facemodel.jaw.motion import jaw_motion
 from facemodel.muscles import Cosine, Muscle, Profile, Profiles, Sphincter
 from facemodel.muscles.cosine import cosine_displacements, cosine_ring_displacements, radius
 from facemodel.muscles.jaw import jaw_force
 from facemodel.muscles.mouth import PROFILES, mouth_forces
 from facemodel.muscles.quadrilateral import nearest_on_line, quadrilateral_forces
-from facemodel.superposition import jaw_motion
 from fem.types import FloatArray
 from tests.facemodel.skin import at, domed_skin, fibre_muscle, flat_skin, ring_muscle, sizes
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from app.actions.context import Context
 from app.jobs import Failure
+from facemodel.actions import skin_fields
 from facemodel.project import Project
 from ui.window.dialogs import show_error
 from ui.window.status_line import StatusLine
@@ -62,7 +63,7 @@ class SolveProgress:
 
     def _refresh(self, _now: object = None) -> None:
         document = self._context.document
-        total = sum(len(unit.fields) for unit in document.project.units)
+        total = len(skin_fields(document.project.units))
         done = 0 if document.solution is None or document.stale else len(document.solution.basis.names)
         took = self._viewport.frame_time
         timing = f" · {took:.0f} ms" if took and done else ""
