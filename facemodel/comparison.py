@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from facemodel.actions import ActionUnit, Expression, JawMotion, field_names
+from facemodel.actions import ActionUnit, Expression, JawMotion, skin_fields
 from facemodel.basis import Basis
 from facemodel.displaced import MEMBRANE, displaced_columns, displaces
 from facemodel.fields import jaw_table
@@ -94,7 +94,7 @@ def compared(project: Project, expression: Expression, basis: Basis, whole: Basi
     """
     superposed = Superposition(project.face, basis)
     superposed.pose(expression)
-    full = Superposition(project.face, whole, glide=False)
+    full = Superposition(project.face, whole, contact=False)
     full.pose({str(WHOLE): 1.0})
     moving = basis.display.moving
     apart = np.linalg.norm(superposed.points.astype(np.float64) - full.points, axis=1)
@@ -119,6 +119,6 @@ def _alone(muscle: Muscle) -> Muscle:
 
 
 def _jaw(project: Project, expression: Expression) -> JawMotion | None:
-    names, table = field_names(project.units), jaw_table(project.units)
+    names, table = skin_fields(project.units), jaw_table(project.units)
     weights = np.array([expression.get(name, 0.0) for name in names])
     return JawMotion(*(float(total) for total in weights @ table)) or None

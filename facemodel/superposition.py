@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from facemodel.actions import Expression
 from facemodel.basis import Basis
+from facemodel.contact.contact import Contact, contact_of
 from facemodel.display import DisplaySurface
-from facemodel.face import Face, Jaw
+from facemodel.face import Face
 from facemodel.field_sum import add_field, sum_fields
-from facemodel.glide import LidGlide
+from facemodel.jaw.motion import jaw_motion
+from facemodel.kinematics import STILL, Rig, Stance, stance_of
 from facemodel.sculpting.sampler import DrawnChange
 from fem.types import Float32Array, FloatArray
 
@@ -21,76 +22,34 @@ SMALLEST_NORMAL = np.float32(1e-12)
 """Guards the division where a surface folds onto itself and its normal vanishes."""
 
 
-def jaw_motion(jaw: Jaw, degrees: float, slide: float, side: float = 0.0) -> FloatArray:
-    """Rigid motion (4, 4) of the mandible: a turn about the condylar axis, a slide forward and down, a shift aside.
-
-    Parameters
-    ----------
-    jaw : the hinge
-    degrees : opening
-    slide : how far the condyles slide along the articular eminence, millimetres
-    side : how far the lower incisors go to the subject's left, millimetres
-    """
-    right, left = jaw.axis
-    along = (left - right) / np.linalg.norm(left - right)
-    turn = Rotation.from_rotvec(np.radians(degrees) * along).as_matrix()
-    motion = np.eye(4)
-    motion[:3, :3] = turn
-    motion[:3, 3] = right - turn @ right + slide * EMINENCE
-    return aside(jaw, side, slide * EMINENCE) @ motion if side else motion
-
-
-def aside(jaw: Jaw, side: float, slid: FloatArray) -> FloatArray:
-    """Rigid motion (4, 4) of a mandible that goes to one side: it turns about the condyle of that side.
-
-    The other condyle slides forward, so that the incisors go forward as well as aside, some 60 degrees off the
-    midline to either side: the Gothic arch that they are known to draw.
-
-    Parameters
-    ----------
-    side : of the incisors to the subject's left, millimetres
-    slid : (3,) how far the condyles were brought forward before
-    """
-    right, left = jaw.axis
-    along = (left - right) / np.linalg.norm(left - right)
-    reach = jaw.teeth - right - (jaw.teeth - right) @ along * along
-    length = float(np.linalg.norm(reach))
-    turn = Rotation.from_rotvec(side / length * np.cross(reach / length, along)).as_matrix()
-    resting = (left if side > 0 else right) + slid
-    motion = np.eye(4)
-    motion[:3, :3] = turn
-    motion[:3, 3] = resting - turn @ resting
-    return motion
-
-
-EMINENCE = np.array([0.0, -0.5, np.sqrt(0.75)])
-"""Unit direction in which the condyle slides: forward, 30 degrees down along the articular eminence."""
-
-
 class Superposition:
     """One posed face in reused float32 buffers.
 
     The buffer holds the carried parts, the moving skin and the held skin one behind the other, so that one
-    matrix-vector product writes the very array that is drawn; the few points of the lids are then put on the eyeballs.
+    matrix-vector product writes the very array that is drawn.  A jaw that turns adds some modes to the fields, so that
+    the skin goes along its arc; then lids and lips are kept from going through what they meet.
 
     Attributes
     ----------
     points : (P, 3) float32, the posed skin; always the same array
     normals : (P, 3) float32, its unit normals; always the same array
     parts : posed points (n, 3) float32 of every part of the face by its name; always the same arrays
-    jaw : (4, 4) motion of the mandible
+    stance : how jaw, eyes and head stand; what is drawn is the head upright, to be moved by ``stance.head``
     shifts : how many shifts lie on what is posed
 
     Parameters
     ----------
     face, basis : what is posed
-    glide : let the lids glide on the eyeballs; without it the pose is the pure linear sum
+    rig : what the sliders do to eyes and head
+    linear : leave it at the pure linear sum of the fields
+    contact : keep lids and lips from going through what they meet, unless it is linear
     """
 
-    def __init__(self, face: Face, basis: Basis, *, glide: bool = True) -> None:
-        self.face = face
-        self.basis = basis
+    def __init__(
+        self, face: Face, basis: Basis, rig: Rig = STILL, *, linear: bool = False, contact: bool = True
+    ) -> None:
         display = basis.display
+        self.face, self.basis, self.rig, self.linear = face, basis, rig, linear
         rest_of = {part.name: part.mesh.positions.astype(np.float32) for part in face.parts}
         carried = [rest_of[name] for name, _ in display.carried]
         self._buffer: Float32Array = np.concatenate([*carried, display.points]).ravel()
@@ -98,9 +57,6 @@ class Superposition:
         self._rest = self._buffer[: self._live].copy()
         self._slopes = display.slopes.astype(np.float32).ravel()
         self._rest_slopes = self._slopes.copy()
-        self._weights = np.zeros(len(basis.names), dtype=np.float32)
-        self._increments = 0
-        self.shifts = 0
 
         first_skin = sum(count for _, count in display.carried)
         self.points: Float32Array = self._buffer.reshape(-1, 3)[first_skin:]
@@ -110,33 +66,48 @@ class Superposition:
         for name, count in display.carried:
             self.parts[name] = self._buffer.reshape(-1, 3)[start : start + count]
             start += count
-        self.jaw: FloatArray = np.eye(4)
-        self._glide = LidGlide(face.eyes if glide else (), self._buffer[: self._live].reshape(-1, 3))
-        self._lids = self._buffer.reshape(-1, 3)[self._glide.points]
-        self._lid_normals = np.zeros_like(self._lids)
-        # The parts come before the skin, so the lids of the skin are the last of all lids.
-        self._first_lid = int(np.searchsorted(self._glide.points, first_skin))
-        self._skin_lids = self._glide.points[self._first_lid :] - first_skin
+        self._touches = contact
+        self._contact: Contact | None = contact_of(face, display) if contact and not linear else None
+        self._begin()
 
-    def adopt(self, face: Face, basis: Basis) -> bool:
+    @property
+    def jaw(self) -> FloatArray:
+        """Motion (4, 4) of the mandible within the head."""
+        return self.stance.jaw
+
+    def adopt(self, face: Face, basis: Basis, rig: Rig = STILL) -> bool:
         """Go on in the same buffers with another basis on the same drawn surface, at rest; whether that is possible.
 
         Parameters
         ----------
         face : the same head, perhaps painted otherwise or with another jaw
         basis : its displacement fields
+        rig : what the sliders do to eyes and head
         """
         if not _drawn_alike(self.basis.display, basis.display) or self._live != basis.fields.shape[1]:
             return False
-        self.face, self.basis = face, basis
-        self._weights = np.zeros(len(basis.names), dtype=np.float32)
-        self._increments = self.shifts = 0
+        self.face, self.basis, self.rig = face, basis, rig
         self._buffer[: self._live] = self._rest
         self._slopes[:] = self._rest_slopes
-        self._lids = self._rest.reshape(-1, 3)[self._glide.points]
-        self._turn_normals()
-        self._turn_jaw()
+        self._begin()
         return True
+
+    def straighten(self, linear: bool) -> None:
+        """Leave it at the pure linear sum from now on, or no longer."""
+        self.linear = linear
+        self._contact = contact_of(self.face, self.basis.display) if self._touches and not linear else None
+        self._bends = self._bends_of(self._weights)
+        self.settle()
+
+    def _begin(self) -> None:
+        """Be at rest."""
+        self._weights = np.zeros(len(self.basis.names), dtype=np.float32)
+        self._bends = self._bends_of(self._weights)
+        self._increments = self.shifts = 0
+        self._touched: Float32Array | None = None
+        self.stance: Stance = stance_of(self.face, self.rig, {}, np.eye(4))
+        self._turn_normals()
+        self._move_jaw()
 
     def shift(self, change: DrawnChange) -> None:
         """Move some points by more than the fields do, as a hand that sculpts asks for.
@@ -144,17 +115,16 @@ class Superposition:
         `settle` and `adopt` let go of it, and so does a pose for which the sum of the fields is formed anew.
         """
         self.shifts += 1
-        live = self._buffer[: self._live].reshape(-1, 3)
-        live[self._glide.points] = self._lids
-        live[change.rows] += change.moved
+        self._lift()
+        self._buffer[: self._live].reshape(-1, 3)[change.rows] += change.moved
         self._slopes.reshape(6, -1)[:, change.points] += change.slopes
-        self._finish(live)
+        self._finish()
 
     def settle(self) -> None:
         """Form the sum of the fields anew; what they were shifted by is gone without a trace."""
-        live = self._buffer[: self._live].reshape(-1, 3)
-        self._sum(self._weights)
-        self._finish(live)
+        self._touched = None
+        self._sum(self._weights, self._bends)
+        self._finish()
 
     def pose(self, expression: Expression) -> None:
         """Write the buffers for an expression; names without a field are ignored.
@@ -167,45 +137,64 @@ class Superposition:
             row = self.basis.index.get(name)
             if row is not None:
                 weights[row] = weight
-        changed = np.flatnonzero(weights != self._weights)
-        if len(changed) == 0:
+        if np.array_equal(weights, self._weights) and not self._turns(expression):
             return
-        live = self._buffer[: self._live].reshape(-1, 3)
-        live[self._glide.points] = self._lids
-        active = int(np.count_nonzero(weights))
+        self._lift()
+        self._add_up(weights, self._bends_of(weights))
+        self.stance = stance_of(self.face, self.rig, expression, self._jaw_of(weights))
+        self._move_jaw()
+        self._finish()
+
+    def _bends_of(self, weights: Float32Array) -> Float32Array:
+        """How much of each mode of the jaw a sum of fields lacks."""
+        if self.basis.arc is None or self.linear:
+            return np.zeros(0, dtype=np.float32)
+        return self.basis.arc.bends(weights)
+
+    def _turns(self, expression: Expression) -> bool:
+        """Whether an expression turns eyes or head otherwise than they are turned now."""
+        rig, stance = self.rig, self.stance
+        return rig.gaze(expression) != stance.gaze or rig.bearing(expression) != stance.bearing
+
+    def _add_up(self, weights: Float32Array, bends: Float32Array) -> None:
+        before, now = np.concatenate([self._weights, self._bends]), np.concatenate([weights, bends])
+        changed, active = np.flatnonzero(now != before), int(np.count_nonzero(now))
         if active and len(changed) < max(active, 2) and self._increments + len(changed) <= REFRESH_AFTER:
             self._increments += len(changed)
             for k in changed.tolist():
-                self._add(k, float(weights[k] - self._weights[k]))
-        else:
-            self._sum(weights)
-        self._weights = weights
-        self._turn_jaw()
-        self._finish(live)
+                self._add(k, float(now[k] - before[k]))
+        elif len(changed):
+            self._sum(weights, bends)
+        self._weights, self._bends = weights, bends
 
-    def _finish(self, live: Float32Array) -> None:
-        """Turn the normals to the slopes, and lay the lids on the eyeballs."""
+    def _lift(self) -> None:
+        """Put what contact has moved back to where the sum of the fields has it."""
+        if self._contact is not None and self._touched is not None:
+            self._buffer[: self._live].reshape(-1, 3)[self._contact.rows] = self._touched
+
+    def _finish(self) -> None:
+        """Turn the normals to the slopes, and keep the skin from going through what it meets."""
         self._turn_normals()
-        self._lids = live[self._glide.points]
-        live[self._glide.points] = self._glided()
-
-    def _glided(self) -> Float32Array:
-        """The lid points as they lie on the eyeballs; the normals of those on the skin turn with them."""
-        on_skin = self._lid_normals[self._first_lid :]
-        on_skin[:] = self.normals[self._skin_lids]
-        lids = self._lids.copy()
-        self._glide.push(lids, self._lid_normals)
-        self.normals[self._skin_lids] = on_skin
-        return lids
+        if self._contact is not None:
+            live = self._buffer[: self._live].reshape(-1, 3)
+            self._touched = live[self._contact.rows]
+            self._contact.settle(live, self.normals, self._slopes.reshape(6, -1), self.stance)
 
     def _add(self, row: int, weight: float) -> None:
-        add_field(self._buffer, self.basis.fields[row], weight)
-        add_field(self._slopes, self.basis.slopes[row], weight)
+        named, arc = len(self.basis.names), self.basis.arc
+        if row < named or arc is None:
+            fields, slopes = self.basis.fields[row], self.basis.slopes[row]
+        else:
+            fields, slopes = arc.fields[row - named], arc.slopes[row - named]
+        add_field(self._buffer, fields, weight)
+        add_field(self._slopes, slopes, weight)
 
-    def _sum(self, weights: Float32Array) -> None:
+    def _sum(self, weights: Float32Array, bends: Float32Array) -> None:
         self._increments = self.shifts = 0
         sum_fields(self._buffer[: self._live], self._rest, self.basis.fields, weights)
         sum_fields(self._slopes, self._rest_slopes, self.basis.slopes, weights)
+        for mode in np.flatnonzero(bends).tolist():
+            self._add(len(self.basis.names) + mode, float(bends[mode]))
 
     def _turn_normals(self) -> None:
         """Normals of the moving skin as the cross product of its slopes; at rest the very ones of the display."""
@@ -217,9 +206,11 @@ class Superposition:
         normal /= np.sqrt(np.einsum("ij,ij->j", normal, normal)) + SMALLEST_NORMAL
         self.normals[: normal.shape[1]] = normal.T
 
-    def _turn_jaw(self) -> None:
-        degrees, slide, side = (self._weights.astype(np.float64) @ self.basis.jaw).tolist()
-        self.jaw = jaw_motion(self.face.skull.jaw, degrees, slide, side)
+    def _jaw_of(self, weights: Float32Array) -> FloatArray:
+        degrees, slide, side = (weights.astype(np.float64) @ self.basis.jaw).tolist()
+        return jaw_motion(self.face.skull.jaw, degrees, slide, side)
+
+    def _move_jaw(self) -> None:
         for part in self.face.parts:
             if part.carrier == "jaw":
                 self.parts[part.name][:] = part.mesh.positions @ self.jaw[:3, :3].T + self.jaw[:3, 3]

@@ -44,8 +44,10 @@ class Paper:
         view: str,
         size: tuple[int, int],
         show: Set[str],
+        linear: bool,
     ) -> None:
-        self.asked.append({"expression": dict(expression), "path": path, "view": view, "size": size, "show": show})
+        asked = {"expression": dict(expression), "path": path, "view": view, "size": size, "show": show}
+        self.asked.append(asked | {"linear": linear})
 
     def gallery(self, project: Project, solution: Solution, path: Path) -> None:
         self.asked.append({"fields": solution.basis.names, "path": path})
@@ -174,8 +176,21 @@ def test_render_hands_over_what_was_asked(smile: Path, tmp_path: Path, paper: Pa
             "view": "left",
             "size": (640, 480),
             "show": {"skull", "muscles"},
+            "linear": False,
         }
     ]
+
+
+def test_render_can_leave_it_at_the_pure_sum(smile: Path, tmp_path: Path, paper: Paper) -> None:
+    assert main(["render", str(smile), str(tmp_path / "a.png"), "--linear"], paper.screen) == 0
+    assert paper.asked[0]["linear"] is True
+
+
+def test_eyes_and_head_are_asked_for_like_any_unit(tmp_path: Path, paper: Paper) -> None:
+    """The units that turn them came with version 2; a project of version 1 gets them when it is opened."""
+    old = Path(__file__).parents[1] / "io" / "schema-1.risorius"
+    assert main(["render", str(old), str(tmp_path / "a.png"), "--au", "61=0.5", "--au", "head up=1"], paper.screen) == 0
+    assert paper.asked[0]["expression"] == {"61": 0.5, "53": 1.0}
 
 
 def test_render_without_weights_shows_what_was_saved(smile: Path, tmp_path: Path, paper: Paper) -> None:

@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from facemodel.actions import ActionUnit, JawMotion
 from facemodel.face import Jaw
 from facemodel.fields import jaw_table
+from facemodel.jaw.motion import jaw_motion
 from facemodel.solve import solve_project
-from facemodel.superposition import Superposition, jaw_motion
+from facemodel.superposition import Superposition
 from tests.app.conftest import small_project
 
 JAW = Jaw(np.array([[-50.0, 0, -20], [50.0, 0, -20]]), np.array([0.0, -40, 65]))

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from facemodel.actions import skin_units
 from facemodel.basis import Basis
 from facemodel.face import Face
 from facemodel.facs import action_units
@@ -10,7 +11,7 @@ from facemodel.project import Project
 from fem.types import FloatArray
 from tests.facemodel.places import vertex_fields
 
-UNITS = {unit.number: unit for unit in action_units()}
+UNITS = {unit.number: unit for unit in skin_units(action_units())}
 FIELDS = [name for unit in UNITS.values() for name in unit.fields]
 LEFT = [f"{unit.number}L" for unit in UNITS.values() if unit.paired]
 MIDLINE = [str(unit.number) for unit in UNITS.values() if not unit.paired]

@@ -10,8 +10,9 @@ from facemodel.actions import Expression, expand
 from facemodel.basis import Basis
 from facemodel.face import Face, Jaw
 from facemodel.facs import action_units
+from facemodel.jaw.motion import jaw_motion
 from facemodel.project import Project
-from facemodel.superposition import REFRESH_AFTER, Superposition, jaw_motion
+from facemodel.superposition import REFRESH_AFTER, Superposition
 from tests.facemodel.places import points_of_vertices
 
 FIELDS = [name for unit in action_units() for name in unit.fields]
@@ -50,7 +51,7 @@ def test_at_rest_it_shows_the_face_as_it_is(posed: Superposition, face: Face, ba
 
 
 def test_an_expression_is_the_weighted_sum_of_its_fields(face: Face, project: Project, basis: Basis) -> None:
-    posed = Superposition(face, basis, glide=False)
+    posed = Superposition(face, basis, linear=True)
     for emotion in project.emotions:
         expression = expand(emotion.weights, project.units)
         posed.pose(expression)
@@ -85,7 +86,7 @@ def test_slider_after_slider_comes_to_the_same_face_as_all_at_once(
 
 
 def test_rounding_does_not_pile_up_over_a_long_drag(face: Face, basis: Basis) -> None:
-    posed = Superposition(face, basis, glide=False)
+    posed = Superposition(face, basis, linear=True)
     rng = np.random.default_rng(2)
     weights = {"12L": 0.7, "27": 0.4}
     worst = 0.0
@@ -174,7 +175,7 @@ def test_the_jaw_turns_about_the_condyles_and_slides_forward_and_down(degrees: f
     assert np.linalg.det(turn) == pytest.approx(1.0)
     condyles = jaw.axis @ turn.T + motion[:3, 3] - jaw.axis
     assert condyles[0] == pytest.approx(condyles[1], abs=1e-9), "the axis keeps its direction"
-    assert np.linalg.norm(condyles[0]) == pytest.approx(slide, abs=1e-9)
+    assert 0.95 * slide - 1e-9 <= np.linalg.norm(condyles[0]) <= slide + 1e-9, "along the eminence, which is bent"
     if slide > 1e-6:
         assert condyles[0][2] > 0 > condyles[0][1]
     teeth = turn @ jaw.teeth + motion[:3, 3]

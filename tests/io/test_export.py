@@ -6,6 +6,7 @@ import os
 import struct
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,19 +15,26 @@ import pytest
 import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
-from facemodel.actions import Expression
+from facemodel.actions import ActionUnit, Expression
 from facemodel.errors import ProjectError
 from facemodel.eyeball import eyeball
 from facemodel.io.export import EXPORTS, export_project
 from facemodel.io.export.targets import target_weights, targets
+from facemodel.kinematics import rig_of
+from facemodel.motions import EyeMotion, HeadMotion
 from facemodel.solve import solve_project
 from facemodel.superposition import Superposition
 from tests.io.small_project import small_project
 
-PROJECT = small_project()
+LOOK = ActionUnit(61, "eyes turn left", "eyes", False, {}, 0.0, eyes=EyeMotion(turn=30.0, spread=5.0))
+NOD = ActionUnit(54, "head down", "head", False, {}, 0.0, head=HeadMotion(lift=-20.0, forward=10.0))
+SMALL = small_project()
+PROJECT = replace(SMALL, units=(*SMALL.units, LOOK, NOD))
 SOLUTION = solve_project(PROJECT)
 NAMES = ["12", "12L", "12R", "18", "26"]
+TARGETS = [*NAMES, "61"]
 
 
 def exported(suffix: str, expression: Expression | None = None) -> bytes:
@@ -37,14 +45,14 @@ def exported(suffix: str, expression: Expression | None = None) -> bytes:
 
 
 def posed(expression: Expression) -> Superposition:
-    pose = Superposition(PROJECT.face, SOLUTION.basis)
+    pose = Superposition(PROJECT.face, SOLUTION.basis, rig_of(PROJECT.units))
     pose.pose(expression)
     return pose
 
 
 def test_npz_holds_the_neutral_skin_and_every_field() -> None:
     with np.load(io.BytesIO(exported(".npz")), allow_pickle=False) as arrays:
-        assert sorted(arrays.files) == ["fields", "names", "neutral", "triangles"]
+        assert sorted(arrays.files) == ["fields", "names", "neutral", "posed", "triangles"]
         neutral, triangles, names, fields = (arrays[k] for k in ("neutral", "triangles", "names", "fields"))
     assert (neutral.dtype, triangles.dtype, fields.dtype) == (np.float32, np.int32, np.float32)
     assert names.tolist() == NAMES
@@ -55,20 +63,33 @@ def test_npz_holds_the_neutral_skin_and_every_field() -> None:
     assert np.abs(neutral + 0.7 * fields[3] - posed({"18": 0.7}).points).max() < 1e-5
 
 
-@pytest.mark.parametrize("expression", [{}, {"12L": 0.8, "26": 0.5}])
+def test_npz_holds_the_skin_as_it_is_seen() -> None:
+    expression = {"12L": 0.8, "26": 0.5, "54": 0.7}
+    with np.load(io.BytesIO(exported(".npz", expression)), allow_pickle=False) as arrays:
+        seen = arrays["posed"]
+    now = posed(expression)
+    assert np.abs(seen - carried(now.stance.head, now.points)).max() < 1e-4
+    assert np.abs(seen - now.points).max() > 5.0, "the head is held as the expression says"
+
+
+def carried(motion: np.ndarray, points: np.ndarray) -> np.ndarray:
+    return points @ motion[:3, :3].T + motion[:3, 3]
+
+
+@pytest.mark.parametrize("expression", [{}, {"12L": 0.8, "26": 0.5}, {"61": 1.0, "54": 0.5, "26": 0.3}])
 def test_obj_is_the_posed_face(expression: Expression) -> None:
     scene = trimesh.load_scene(
         io.BytesIO(exported(".obj", expression)), file_type="obj", process=False, split_objects=True
     )
     now = posed(expression)
     wanted = {"skin": now.points, **now.parts} | {
-        f"eye-{side}": eyeball(eye).opaque[0].positions
-        for side, eye in zip(("left", "right"), PROJECT.face.eyes, strict=True)
+        f"eye-{side}": carried(motion, eyeball(eye).opaque[0].positions)
+        for side, eye, motion in zip(("left", "right"), PROJECT.face.eyes, now.stance.eyes, strict=True)
     }
     assert set(scene.geometry) == set(wanted)
     for name, points in wanted.items():
-        corners = np.asarray(points, dtype=float)[_triangles(name)]
-        assert np.abs(scene.geometry[name].triangles - corners).max() < 1e-5
+        corners = carried(now.stance.head, np.asarray(points, dtype=float))[_triangles(name)]
+        assert np.abs(scene.geometry[name].triangles - corners).max() < 2e-5
 
 
 def _triangles(name: str) -> np.ndarray:
@@ -155,13 +176,33 @@ def glb(expression: Expression | None = None) -> Glb:
 
 
 def test_glb_targets_are_named_alike_on_everything_that_moves() -> None:
-    file = glb()
-    moving = [mesh for mesh in file.meshes.values() if "extras" in mesh]
-    assert [mesh["name"] for mesh in moving] == ["skin", "teeth-lower", "lashes"]
-    for mesh in moving:
-        assert mesh["extras"]["targetNames"] == [f"AU{name}" for name in NAMES]
-        assert [len(primitive["targets"]) for primitive in mesh["primitives"]] == [5]
-        assert len(mesh["weights"]) == 5
+    file = glb({})
+    moving = {mesh["name"]: mesh for mesh in file.meshes.values() if "extras" in mesh}
+    eyes = {f"{layer}-{side}" for layer in ("eye", "cornea") for side in ("left", "right")}
+    assert moving.keys() == {"skin", "teeth-lower", "lashes"} | eyes
+    for mesh in moving.values():
+        assert mesh["extras"]["targetNames"] == [f"AU{name}" for name in TARGETS]
+        assert [len(primitive["targets"]) for primitive in mesh["primitives"]] == [6]
+        assert len(mesh["weights"]) == 6
+
+
+@pytest.mark.parametrize(
+    "expression", [{"26": 0.5}, {"12L": 0.7, "18": 0.9, "26": 0.6}, {"61": 0.5, "26": 0.2}, {"61": 1.0, "54": 1.0}]
+)
+def test_glb_is_what_is_seen_though_jaws_and_eyes_turn(expression: Expression) -> None:
+    file, now = glb(expression), posed(expression)
+    weights = file.meshes["skin"]["weights"]
+    bent = "26" in expression or expression.get("61", 1.0) != 1.0
+    assert ("posed" in file.meshes["skin"]["extras"]["targetNames"]) == bent
+    assert np.abs(file.posed("skin", weights) - 0.001 * now.points).max() < 1e-5
+    for name, points in now.parts.items():
+        assert np.abs(file.posed(name, weights) - 0.001 * points).max() < 1e-5
+    places = carried(now.stance.eyes[0], eyeball(PROJECT.face.eyes[0]).opaque[0].positions)
+    assert np.abs(file.posed("eye-left", weights) - 0.001 * places).max() < 1e-5
+    head = file.json["nodes"][0]
+    turn = Rotation.from_quat(head.get("rotation", [0, 0, 0, 1])).as_matrix()
+    assert turn == pytest.approx(now.stance.head[:3, :3], abs=1e-6)
+    assert head.get("translation", [0, 0, 0]) == pytest.approx(0.001 * now.stance.head[:3, 3], abs=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -184,7 +225,7 @@ def test_glb_jaw_runs_along_the_chord_of_its_turn() -> None:
 
 def test_glb_normals_turn_with_the_skin() -> None:
     file, now = glb(), posed({"18": 1.0})
-    assert np.abs(file.posed("skin", [0, 0, 0, 1, 0], "NORMAL") - now.normals).max() < 4e-3
+    assert np.abs(file.posed("skin", [0, 0, 0, 1, 0, 0], "NORMAL") - now.normals).max() < 4e-3
     for mesh in file.meshes.values():
         normals = file.array(mesh["primitives"][0]["attributes"]["NORMAL"])
         assert np.abs(np.linalg.norm(normals, axis=1) - 1).max() < 1e-6

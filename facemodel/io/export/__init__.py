@@ -37,7 +37,9 @@ class Export:
 
 EXPORTS: Mapping[str, Export] = {
     ".glb": Export("glTF binary", "the whole head with one morph target per action unit, in metres", write_glb),
-    ".npz": Export("NumPy arrays", "the neutral skin and every displacement field, in millimetres", write_npz),
+    ".npz": Export(
+        "NumPy arrays", "the skin at rest and posed, and every displacement field, in millimetres", write_npz
+    ),
     ".obj": Export("Wavefront OBJ", "the head with its expression, in millimetres", write_obj),
     ".ply": Export("Binary PLY", "the head with its expression as one coloured mesh, in millimetres", write_ply),
 }

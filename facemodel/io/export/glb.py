@@ -1,8 +1,10 @@
 """Binary glTF 2.0: the face at rest with one morph target per action unit, in metres.
 
-All meshes that move have the same list of targets, so that one array of weights drives skin, lashes, lower teeth and
-tongue.  The turn of the jaw and the glide of the lids on the eyeballs are linear in their weights here: each target
-ends where the motion ends at activation 1.
+All meshes that move have the same list of targets, so that one array of weights drives skin, lashes, eyes, lower teeth
+and tongue.  A target is linear in its weight and ends where the motion ends at activation 1; what the sum of the
+targets of the project's expression lacks of what is seen, since jaws turn and lips meet, is one more target, ``posed``,
+whose weight is 1.  Every viewer draws morph targets, so the eyes have targets as well; the head, which turns too far
+for a straight line, is held by the transform of its node.
 """
 
 from __future__ import annotations
@@ -25,16 +27,15 @@ from pygltflib import (
     Primitive,
     Scene,
 )
+from scipy.spatial.transform import Rotation
 
-from facemodel.basis import Basis
-from facemodel.face import Face
 from facemodel.io.export.appearance import APPEARANCES, linear
 from facemodel.io.export.gltf_buffer import GltfBuffer
+from facemodel.io.export.morphs import Morph, morphs_of
 from facemodel.io.export.pieces import Piece, pieces
-from facemodel.io.export.targets import Target, target_weights, targets
+from facemodel.kinematics import rig_of, stance_of
 from facemodel.project import Project
 from facemodel.solve import Solution
-from facemodel.superposition import Superposition
 from fem.types import Float32Array
 
 METRES = 0.001
@@ -47,34 +48,31 @@ UNSEEN_TURN = 2e-3
 def write_glb(project: Project, solution: Solution, stream: BinaryIO) -> None:
     """Write skin, eyes and parts with targets named ``AU12``, ``AU12L``, ``AU12R`` in ``extras.targetNames``.
 
-    The project's expression is the default of the weights.
+    The project's expression is the default of the weights, and of how the head is held.
     """
     stream.write(glb_bytes(project, solution))
 
 
 def glb_bytes(project: Project, solution: Solution) -> bytes:
     """The bytes of the file."""
-    face, basis = project.face, solution.basis
-    shapes = targets(project.units, basis)
-    weights = target_weights(project.expression, shapes)
+    face = project.face
     buffer = GltfBuffer()
-    drawn = list(pieces(face, basis, {}))
+    drawn = list(pieces(project, solution.basis, {}))
     kinds = list(dict.fromkeys(piece.kind for piece in drawn))
-    meshes, carriers = [], {part.name: part.carrier for part in face.parts}
-    moves = _moves(face, basis, shapes)
+    meshes, morphs = [], morphs_of(project, solution.basis)
     for piece in drawn:
         primitive = _primitive(piece, buffer, kinds.index(piece.kind))
         mesh = Mesh(name=piece.name, primitives=[primitive])
-        if shapes and (piece.name == "skin" or carriers.get(piece.name) in ("jaw", "skin")):
-            primitive.targets = [_target(move, piece.name, buffer) for move in moves]
-            mesh.weights = weights
-            mesh.extras = {"targetNames": [f"AU{shape.name}" for shape in shapes]}
+        if any(morph.moves[piece.name].any() for morph in morphs):
+            primitive.targets = [_target(morph, piece.name, buffer) for morph in morphs]
+            mesh.weights = [morph.weight for morph in morphs]
+            mesh.extras = {"targetNames": [morph.name for morph in morphs]}
         meshes.append(mesh)
     document = GLTF2(
         asset=Asset(generator="Risorius", copyright=face.provenance or None),
         materials=[_material(kind) for kind in kinds],
         meshes=meshes,
-        nodes=_nodes(face, [mesh.name for mesh in meshes]),
+        nodes=_nodes(project, [mesh.name for mesh in meshes]),
         scene=0,
         scenes=[Scene(nodes=[0])],
         accessors=buffer.accessors,
@@ -85,23 +83,10 @@ def glb_bytes(project: Project, solution: Solution) -> bytes:
     return b"".join(document.save_to_bytes())
 
 
-def _moves(face: Face, basis: Basis, shapes: Sequence[Target]) -> list[dict[str, Float32Array]]:
-    """For each shape the change of every moving mesh by its name, and of the skin's normals as ``normals``."""
-    pose = Superposition(face, basis)
-    rest = {"skin": pose.points.copy(), "normals": pose.normals.copy()}
-    rest |= {name: points.copy() for name, points in pose.parts.items()}
-    moves = []
-    for shape in shapes:
-        pose.pose(dict.fromkeys(shape.fields, 1.0))
-        now = {"skin": pose.points, "normals": pose.normals, **pose.parts}
-        moves.append({name: now[name] - rest[name] for name in rest})
-    return moves
-
-
-def _target(move: dict[str, Float32Array], name: str, buffer: GltfBuffer) -> Attributes:
-    target = Attributes(POSITION=buffer.change(move[name] * np.float32(METRES), UNSEEN, bounded=True))
-    if name == "skin":
-        target.NORMAL = buffer.change(move["normals"], UNSEEN_TURN)
+def _target(morph: Morph, name: str, buffer: GltfBuffer) -> Attributes:
+    target = Attributes(POSITION=buffer.change(morph.moves[name] * np.float32(METRES), UNSEEN, bounded=True))
+    if name in morph.turns:
+        target.NORMAL = buffer.change(morph.turns[name], UNSEEN_TURN)
     return target
 
 
@@ -140,9 +125,13 @@ def _material(kind: str) -> Material:
     )
 
 
-def _nodes(face: Face, names: Sequence[str]) -> list[Node]:
-    """A head with the skin, a node for each eye that holds its layers, and the parts."""
-    nodes = [Node(name=face.title, children=[])]
+def _nodes(project: Project, names: Sequence[str]) -> list[Node]:
+    """A head as it is held, with the skin, a node for each eye that holds its layers, and the parts."""
+    held = stance_of(project.face, rig_of(project.units), project.expression, np.eye(4)).head
+    nodes = [Node(name=project.face.title, children=[])]
+    if not np.array_equal(held, np.eye(4)):
+        nodes[0].rotation = Rotation.from_matrix(held[:3, :3]).as_quat().tolist()
+        nodes[0].translation = (METRES * held[:3, 3]).tolist()
 
     def add(parent: int, node: Node) -> int:
         nodes.append(node)

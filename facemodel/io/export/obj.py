@@ -20,7 +20,7 @@ def write_obj(project: Project, solution: Solution, stream: BinaryIO) -> None:
     title = " ".join(project.face.title.split())
     stream.write(f"# {title}, posed with Risorius, millimetres\n".encode())
     points, textured = 1, 1
-    for piece in pieces(project.face, solution.basis, project.expression):
+    for piece in pieces(project, solution.basis, project.expression):
         if piece.kind == "cornea":
             continue
         stream.write(_object(piece, points, textured).encode())

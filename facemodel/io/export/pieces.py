@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -13,7 +13,9 @@ from facemodel.basis import Basis
 from facemodel.eyeball import eyeball
 from facemodel.face import Eye, Face, Part
 from facemodel.io.export.appearance import APPEARANCES
+from facemodel.kinematics import rig_of
 from facemodel.mesh import Mesh
+from facemodel.project import Project
 from facemodel.superposition import Superposition
 from fem.types import Float32Array, FloatArray, IntArray
 
@@ -41,11 +43,19 @@ class Piece:
     uv: FloatArray | None = None
 
 
-def pieces(face: Face, basis: Basis, expression: Expression) -> Iterator[Piece]:
-    """The skin, both eyes and all parts, in this order."""
-    pose = Superposition(face, basis)
+def pieces(project: Project, basis: Basis, expression: Expression) -> Iterator[Piece]:
+    """The skin, both eyes and all parts, in this order, as they are seen in an expression."""
+    face = project.face
+    pose = Superposition(face, basis, rig_of(project.units))
     pose.pose(expression)
-    display = basis.display
+    head = pose.stance.head
+    for piece in _upright(pose):
+        yield piece if np.array_equal(head, np.eye(4)) else moved(piece, head)
+
+
+def _upright(pose: Superposition) -> Iterator[Piece]:
+    """The pieces of a head that is held upright, whatever it does else."""
+    face, display = pose.face, pose.basis.display
     yield Piece(
         "skin",
         "skin",
@@ -53,12 +63,20 @@ def pieces(face: Face, basis: Basis, expression: Expression) -> Iterator[Piece]:
         pose.normals.copy(),
         display.triangles,
         plain_colours("skin", len(pose.points)),
-        display_uv(face, basis),
+        display_uv(face, pose.basis),
     )
-    for eye in face.eyes:
-        yield from eye_pieces(eye)
+    for eye, motion in zip(face.eyes, pose.stance.eyes, strict=True):
+        for piece in eye_pieces(eye):
+            yield piece if np.array_equal(motion, np.eye(4)) else moved(piece, motion)
     for part in face.parts:
         yield part_piece(part, face, pose.parts[part.name].copy())
+
+
+def moved(piece: Piece, motion: FloatArray) -> Piece:
+    """A piece moved rigidly by (4, 4)."""
+    turn, shift = motion[:3, :3], motion[:3, 3]
+    positions = (piece.positions @ turn.T + shift).astype(np.float32)
+    return replace(piece, positions=positions, normals=(piece.normals @ turn.T).astype(np.float32))
 
 
 def plain_colours(kind: str, count: int) -> FloatArray:

@@ -38,7 +38,7 @@ end_header
 
 def write_ply(project: Project, solution: Solution, stream: BinaryIO) -> None:
     """Write skin, eyes and parts posed with the project's expression, without the clear corneas."""
-    drawn = [p for p in pieces(project.face, solution.basis, project.expression) if p.kind != "cornea"]
+    drawn = [p for p in pieces(project, solution.basis, project.expression) if p.kind != "cornea"]
     counts = [len(piece.positions) for piece in drawn]
     starts = np.cumsum([0, *counts[:-1]])
     vertices = np.empty(sum(counts), dtype=VERTEX)

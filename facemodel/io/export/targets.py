@@ -36,6 +36,15 @@ def targets(units: Sequence[ActionUnit], basis: Basis) -> tuple[Target, ...]:
     return tuple(found)
 
 
+def gaze_targets(units: Sequence[ActionUnit], basis: Basis) -> tuple[Target, ...]:
+    """The shapes of the action units that turn the eyes and have no field in the basis."""
+    return tuple(
+        Target(str(unit.number), unit.fields)
+        for unit in units
+        if unit.eyes and not any(name in basis.index for name in unit.fields)
+    )
+
+
 def target_field(target: Target, basis: Basis) -> Float32Array:
     """The displacement of the whole drawn skin by a shape, (P, 3) float32, millimetres."""
     total = basis.field(target.fields[0])

@@ -1,0 +1,153 @@
+"""How deep skin is in what it meets, found on the drawn triangles alone: by none of the rules that keep it apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import igl
+import numpy as np
+from scipy.spatial import KDTree
+
+from facemodel.actions import Expression
+from facemodel.basis import Basis
+from facemodel.face import Eye, Face
+from facemodel.openings import mouth_of, on_upper_side
+from facemodel.superposition import Superposition
+from fem.types import BoolArray, FloatArray, IntArray
+
+LIP = 8.0
+"""Millimetres from the edge of a lip within which its skin may meet something."""
+
+AROUND = 16.0
+"""Millimetres from that edge up to which the other lip is one surface."""
+
+ON_EDGE = 1e-3
+"""Barycentric coordinates below this are on the edge of a triangle."""
+
+SIGHTS = ((0, 0), (0, -25), (0, 20), (35, 0), (-35, 0))
+"""Degrees to the left and up from the front from which one looks at a closed eye."""
+
+STEP = 0.06
+"""Millimetres between lines of sight, across the slit of the lids."""
+
+SKIN_DEEP = 0.3
+"""Millimetres behind the eyeball's front within which a lid still covers it: what is drawn is no sphere."""
+
+
+def random_mixes(names: tuple[str, ...], count: int, seed: int = 0) -> Iterator[dict[str, float]]:
+    """Expressions of one to all fields, each at any weight up to 1; half of them of no more than seven."""
+    random = np.random.default_rng(seed)
+    for k in range(count):
+        some = int(random.integers(1, len(names) + 1) if k % 2 else random.integers(1, 8))
+        chosen = random.choice(names, some, replace=False).tolist()
+        yield dict(zip(chosen, random.uniform(0, 1, some).tolist(), strict=True))
+
+
+class MouthDepths:
+    """Measures lips in each other and in the teeth.
+
+    Parameters
+    ----------
+    face, basis : what is posed
+    """
+
+    def __init__(self, face: Face, basis: Basis) -> None:
+        mouth = mouth_of(face)
+        assert mouth is not None
+        display = basis.display
+        side = on_upper_side(face.skin, mouth)[face.skin.triangles[display.elements]]
+        upper = np.einsum("pk,pk->p", display.barycentric, side.astype(np.float64)) > 0.5
+        edge = face.skin.positions[np.concatenate([mouth.upper, mouth.lower])]
+        away = KDTree(edge).query(display.points)[0]
+        self._lips = tuple(np.flatnonzero((away < LIP) & (upper == up)) for up in (True, False))
+        self._patches = tuple(_patch(display.triangles, (away < AROUND) & (upper == up)) for up in (True, False))
+        self._teeth = tuple(part for part in face.parts if part.kind == "teeth")
+
+    def in_each_other(self, posed: Superposition) -> float:
+        """How far the skin of one lip is behind the nearest place of the other one, millimetres at most."""
+        points = posed.points.astype(np.float64)
+        own, other = self._lips, self._patches[::-1]
+        return max(_behind(points, lip, patch) for lip, patch in zip(own, other, strict=True))
+
+    def in_teeth(self, posed: Superposition) -> float:
+        """How far the skin of a lip is within a tooth, millimetres at most."""
+        lips = posed.points[np.concatenate(self._lips)].astype(np.float64)
+        rows = [(posed.parts[part.name].astype(np.float64), part.mesh.triangles) for part in self._teeth]
+        return max(_within(lips, teeth, triangles) for teeth, triangles in rows)
+
+
+Patch = tuple[IntArray, BoolArray]
+"""Triangles (T, 3), and which of all points (P,) lie on their border."""
+
+
+def _patch(triangles: IntArray, chosen: BoolArray) -> Patch:
+    own = np.ascontiguousarray(triangles[chosen[triangles].all(axis=1)])
+    border = np.zeros(len(chosen), dtype=np.bool_)
+    border[np.concatenate([np.array(loop) for loop in igl.boundary_loop_all(own)])] = True
+    return own, border
+
+
+def _behind(points: FloatArray, lip: IntArray, patch: Patch) -> float:
+    """How far points are behind a surface; what is nearest to its border is beside it."""
+    triangles, border = patch
+    kind = igl.SIGNED_DISTANCE_TYPE_PSEUDONORMAL
+    signed, at, nearest, _ = igl.signed_distance(points[lip], points, triangles, kind)
+    corners = points[triangles[at]]
+    opposite = [np.cross(corners[:, (k + 1) % 3] - nearest, corners[:, (k + 2) % 3] - nearest) for k in range(3)]
+    share = np.linalg.norm(np.stack(opposite, axis=1), axis=2)
+    share /= share.sum(axis=1, keepdims=True) + 1e-12
+    beside = ((share < ON_EDGE) | border[triangles[at]]).all(axis=1)
+    return float(np.where(beside, 0.0, -signed).max(initial=0.0))
+
+
+def _within(points: FloatArray, teeth: FloatArray, triangles: IntArray) -> float:
+    low, high = teeth.min(axis=0), teeth.max(axis=0)
+    near = points[((points > low) & (points < high)).all(axis=1)]
+    inside = near[igl.winding_number(teeth, triangles, near) > 0.5] if len(near) else near
+    return float(np.sqrt(igl.point_mesh_squared_distance(inside, teeth, triangles)[0]).max()) if len(inside) else 0.0
+
+
+def seen_of_eyeball(eye: Eye, posed: Superposition) -> float:
+    """Height of what is seen of an eyeball between its lids, from wherever it is seen most, millimetres."""
+    points, triangles = posed.points.astype(np.float64), np.ascontiguousarray(posed.basis.display.triangles)
+    tree = igl.AABB()
+    tree.init(points, triangles)
+    across, up = np.meshgrid(
+        np.linspace(-0.95, 0.95, 60) * eye.radius, np.arange(-0.8 * eye.radius, 0.8 * eye.radius, STEP), indexing="ij"
+    )
+    bulge = np.sqrt(np.maximum(eye.radius**2 - across**2 - up**2, 0.0))
+    met = bulge > 0.2 * eye.radius
+    most = 0.0
+    for yaw, pitch in np.radians(SIGHTS):
+        sight = -np.array([np.sin(yaw) * np.cos(pitch), np.sin(pitch), np.cos(yaw) * np.cos(pitch)])
+        right = np.cross([0.0, 1.0, 0.0], sight) / np.cos(pitch)
+        start = eye.centre + across[met][:, None] * right + up[met][:, None] * np.cross(sight, right)
+        start -= 4 * eye.radius * sight
+        hit, far, _ = tree.intersect_ray_first(points, triangles, start, np.tile(sight, (len(start), 1)))
+        covered = (np.asarray(hit) >= 0) & (far < 4 * eye.radius - bulge[met] + SKIN_DEEP)
+        seen = np.zeros(met.shape, dtype=np.bool_)
+        seen[met] = ~covered
+        most = max(most, float(seen.sum(axis=1).max() * STEP))
+    return most
+
+
+def in_eyeball(eye: Eye, posed: Superposition) -> float:
+    """How far the skin of the lids is within an eyeball, millimetres; below zero outside of it."""
+    rest = posed.basis.display.points - eye.centre
+    near = (np.linalg.norm(rest, axis=1) < eye.radius + 5.0) & (rest[:, 2] > 0.4 * eye.radius)
+    return float((eye.radius - np.linalg.norm(posed.points[near] - eye.centre, axis=1)).max())
+
+
+def worst_mix(
+    depths: MouthDepths, posed: Superposition, mixes: Iterator[Expression]
+) -> tuple[float, float, Expression]:
+    """The deepest that lips are in each other and in the teeth over many mixes, and the mix in which they are."""
+    lips = teeth = 0.0
+    worst: Expression = {}
+    for mix in mixes:
+        posed.pose(mix)
+        in_lips, in_teeth = depths.in_each_other(posed), depths.in_teeth(posed)
+        if max(in_lips, in_teeth) > max(lips, teeth):
+            worst = dict(mix)
+        lips, teeth = max(lips, in_lips), max(teeth, in_teeth)
+    return lips, teeth, worst

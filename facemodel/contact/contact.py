@@ -1,0 +1,136 @@
+"""All contact of a face, site by site: what is moved at the mouth is moved nowhere else."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from facemodel.contact.ball import OnEyeball, near_eyeball
+from facemodel.contact.lids import Lids, lay_lids
+from facemodel.contact.lips import Lips, lay_lips
+from facemodel.contact.normals import TurnedNormals
+from facemodel.contact.teeth import BeforeTeeth, rows_of_teeth
+from facemodel.display import DisplaySurface
+from facemodel.face import Eye, Face
+from facemodel.kinematics import Stance
+from fem.types import Float32Array, IntArray
+
+KEPT = 3
+"""Drawn surfaces whose contact is remembered: that of the document, one more, and one for an export."""
+
+
+class Rule(Protocol):
+    """One thing that skin does where it meets something."""
+
+    def move(self, here: Float32Array, stance: Stance) -> None:
+        """Move the posed points (n, 3) of its site, in place."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Site:
+    """A place where skin meets something.
+
+    Attributes
+    ----------
+    rows : (n,) live points that may be moved there
+    skin : which of them are skin, the last ones: from this number on
+    normals : turns the normals of that skin
+    rules : in the order in which they move it
+    """
+
+    rows: IntArray
+    skin: int
+    normals: TurnedNormals
+    rules: Sequence[Rule]
+
+    def settle(self, live: Float32Array, normals: Float32Array, slopes: Float32Array, stance: Stance) -> None:
+        """Move what has to be moved, in place; see `Contact.settle`."""
+        before = live[self.rows]
+        here = before.copy()
+        for rule in self.rules:
+            rule.move(here, stance)
+        moved = here - before
+        if moved.any():
+            live[self.rows] = here
+            self.normals.turn(normals, slopes, moved[self.skin :])
+
+
+class Contact:
+    """Where the skin of a face meets lids, lips, teeth and eyeballs.
+
+    Attributes
+    ----------
+    rows : (n,) live points that may be moved
+    """
+
+    def __init__(self, face: Face, display: DisplaySurface) -> None:
+        self._sites: list[Site] = []
+        rest = live_at_rest(face, display)
+        for number, eye in enumerate(face.eyes):
+            self._open_eye(face, display, eye, number, rest)
+        mouth = lay_lips(face, display)
+        if mouth is not None:
+            rows, columns = mouth
+            skin = int(np.searchsorted(rows, len(rest) - display.moving))
+            teeth = BeforeTeeth(columns, rows_of_teeth(face), skin, rest[rows])
+            self._add(face, display, rows, [teeth, Lips(columns, rest[rows])])
+        self.rows: IntArray = np.concatenate([np.zeros(0, dtype=np.int64), *(site.rows for site in self._sites)])
+
+    def _open_eye(self, face: Face, display: DisplaySurface, eye: Eye, number: int, rest: Float32Array) -> None:
+        lids = lay_lids(face, display, eye)
+        if lids is None:
+            rows = np.flatnonzero(near_eyeball(eye, rest))
+            self._add(face, display, rows, [OnEyeball(eye, number, rest[rows])])
+        else:
+            rows, columns = lids
+            rules: list[Rule] = [Lids(columns, eye, rest[rows]), OnEyeball(eye, number, rest[rows])]
+            self._add(face, display, rows, rules)
+
+    def _add(self, face: Face, display: DisplaySurface, rows: IntArray, rules: Sequence[Rule]) -> None:
+        first = sum(count for _, count in display.carried)
+        skin = int(np.searchsorted(rows, first))
+        self._sites.append(Site(rows, skin, TurnedNormals(face, display, rows[skin:] - first), rules))
+
+    def settle(self, live: Float32Array, normals: Float32Array, slopes: Float32Array, stance: Stance) -> None:
+        """Keep the skin from going through what it meets, in place.
+
+        Parameters
+        ----------
+        live : (L, 3) posed points of the carried parts and of the moving skin
+        normals : (P, 3) of the skin
+        slopes : (6, S) of the moving skin as the sum of the fields has them
+        stance : how jaw, eyes and head stand
+        """
+        for site in self._sites:
+            site.settle(live, normals, slopes, stance)
+
+
+def live_at_rest(face: Face, display: DisplaySurface) -> Float32Array:
+    """The live points (L, 3) at rest: those of the parts that the skin carries, then those of the moving skin."""
+    parts = [part.mesh.positions for part in face.parts if part.carrier == "skin"]
+    return np.concatenate([*parts, display.points[: display.moving]]).astype(np.float32)
+
+
+_known: deque[tuple[Face, DisplaySurface, Contact]] = deque(maxlen=KEPT)
+
+
+def contact_of(face: Face, display: DisplaySurface) -> Contact:
+    """The contact of a drawn face, remembered; any thread may have it made before it is wanted."""
+    for known, drawn, contact in tuple(_known):
+        if drawn is display and _alike(known, face):
+            return contact
+    made = Contact(face, display)
+    _known.append((face, display, made))
+    return made
+
+
+def _alike(one: Face, other: Face) -> bool:
+    """Whether two faces touch themselves in the same places, painted as they may be."""
+    return one is other or all(
+        getattr(one, name) is getattr(other, name) for name in ("skin", "parts", "eyes", "landmarks", "chart")
+    )

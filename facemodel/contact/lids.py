@@ -1,0 +1,112 @@
+"""Lids follow the gaze a little, close the eye for good once they nearly do, and rest on each other when they meet."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from facemodel.contact.ball import near_eyeball
+from facemodel.contact.drawn import drawn_slit
+from facemodel.contact.frame import Round, axes_between
+from facemodel.contact.laying import slit_columns
+from facemodel.contact.slit import Reach, SlitColumns
+from facemodel.display import DisplaySurface
+from facemodel.face import Eye, Face
+from facemodel.kinematics import Stance
+from facemodel.openings import lids_of
+from fem.types import Float32Array, FloatArray, IntArray
+
+LIDS = Reach(profile=8.0, whole=(1.0, 0.5), faded=(9.0, 6.0), kept=2.0)
+"""The margin of a lid goes as a whole, however thick it is; the upper lid moves up to its fold, the lower one less."""
+
+CLOSING, CLOSED = 0.55, 0.86
+"""Share of the resting opening that a pose closes in the middle, from which on lids close more than the sum of fields
+says and from which on they are shut: a lid that comes so low falls onto the other one along all of its length."""
+
+MIDDLE = 0.6
+"""Columns whose resting opening is at least this share of the widest tell how far an eye is closed."""
+
+UPPER_SHARE = 0.85
+"""What the upper lid does of all closing and giving way; the lower one hardly moves when an eye closes."""
+
+UPPER_FOLLOWS, LOWER_FOLLOWS = 0.5, 0.25
+"""How far each lid goes with an eye that looks up or down, as a share of the eye's own way."""
+
+STILL_OPEN = 0.02
+"""Millimetres; lids that are nearer than this are shut."""
+
+
+class Lids:
+    """Moves the lids of one eye.
+
+    Parameters
+    ----------
+    columns : of the slit between the lids
+    eye : behind them
+    rest : (n, 3) points of the site at rest
+
+    Attributes
+    ----------
+    columns : as given
+    """
+
+    def __init__(self, columns: SlitColumns, eye: Eye, rest: Float32Array) -> None:
+        self.columns = columns
+        self._radius = eye.radius
+        self._open = columns.read(rest).gap
+        self._wide = self._open >= MIDDLE * self._open.max()
+        self._spared = columns.spared(rest, columns.read_ends(rest))
+        # Lids are grown fast at their corners.
+        self._bow = 1 - np.linspace(-1, 1, len(self._open)) ** 4
+
+    def move(self, here: Float32Array, stance: Stance) -> None:
+        """Move the lids of posed points (n, 3), in place."""
+        shut = _eased((self.closure(here) - CLOSING) / (CLOSED - CLOSING))
+        edges = self.columns.read_ends(here)
+        way = self._bow * (self._radius * np.radians(stance.gaze.lift) * (1 - shut))
+        followed = edges.gap + (UPPER_FOLLOWS - LOWER_FOLLOWS) * way
+        # Lids that close stop where they meet; what rests in each other stays so.
+        wanted = np.maximum(followed, -self._spared.columns) * np.where(followed > 0, 1 - shut, 1.0)
+        change = wanted - followed
+        if not (way.any() or change.any()):
+            return
+        up = UPPER_FOLLOWS * way + UPPER_SHARE * change
+        down = -LOWER_FOLLOWS * way + (1 - UPPER_SHARE) * change
+        self.columns.part(here, edges, up, down)
+        if shut > 0 or (wanted < STILL_OPEN).any():
+            self._finish(here, wanted)
+
+    def _finish(self, here: Float32Array, wanted: FloatArray) -> None:
+        """Take away what the spread from column to column has smoothed over, in place."""
+        edges = self.columns.read_ends(here)
+        change = wanted - edges.gap
+        self.columns.part(here, edges, UPPER_SHARE * change, (1 - UPPER_SHARE) * change)
+        after = self.columns.read_ends(here)
+        self.columns.keep_apart(here, after, (after.upper + after.lower) / 2, self._spared)
+
+    def closure(self, here: Float32Array) -> float:
+        """How far the middle of an eye is closed on posed points (n, 3): 0 as at rest, 1 shut, more if lids overlap."""
+        gap = self.columns.read(here).gap
+        return float(1 - np.median(gap[self._wide] / self._open[self._wide]))
+
+
+def _eased(share: float) -> float:
+    """0 up to 0, 1 from 1 on, smooth between."""
+    t = min(max(share, 0.0), 1.0)
+    return t * t * (3 - 2 * t)
+
+
+def lay_lids(face: Face, display: DisplaySurface, eye: Eye) -> tuple[IntArray, SlitColumns] | None:
+    """The live points about an eye and the columns of its lids; none on a face whose lids are not open or not known."""
+    lids = lids_of(face, eye)
+    slit = None if lids is None else drawn_slit(face, display, lids)
+    if slit is None:
+        return None
+    frame = Round(eye.centre, eye.radius, axes_between(*slit.corners))
+
+    def edge(places: Float32Array) -> IntArray:
+        """Where the margin of a lid turns into its front: the place that stands out most, before the lid draws back."""
+        forward, up = (places @ frame.axes[axis] for axis in (2, 1))
+        level = slit.corners.mean(axis=0) @ frame.axes[1]
+        return np.asarray((forward - np.abs(up - level)).argmax(axis=1))
+
+    return slit_columns(slit, display, frame, LIDS, near_eyeball(eye, slit.rest), edge)

@@ -1,0 +1,68 @@
+"""Close the lips of a head at rest: those of the base mesh gape beside the middle or run through each other."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from facemodel.contact.contact import live_at_rest
+from facemodel.contact.lips import lay_lips
+from facemodel.contact.slit import Spared
+from facemodel.face import Face
+from facemodel.sampling import ELEMENTS, display_surface, head_surface, points_of_vertices
+from fem.types import Float32Array
+
+TOUCH = 0.05
+"""Millimetres between lips that rest on each other: what is drawn of them may round by so much."""
+
+ROUNDS = 5
+"""Each takes away what the smooth surface through the moved vertices makes of the last one."""
+
+FLATTENED = 0.4
+"""Share of what lips are in each other by which they flatten rather than part: they are soft."""
+
+DENSITY = 3
+"""Segments per edge of an element on which the lips are compared, as they are drawn."""
+
+
+def with_closed_lips(face: Face) -> Face:
+    """A face whose lips touch from corner to corner; a face without the slit of a mouth stays as it is.
+
+    Both lips move alike, the skin between nose and chin smoothly with them, and the lining of the mouth as it is
+    carried.
+    """
+    for _ in range(ROUNDS):
+        display = display_surface(face, head_surface(face, ELEMENTS["hct12"]), DENSITY)
+        laid = lay_lips(face, display)
+        if laid is None:
+            return face
+        rows, columns = laid
+        live = live_at_rest(face, display)
+        here = live[rows]
+        reading = columns.read(here)
+        lacking = TOUCH - reading.gap
+        # In the very corner both lips are one.
+        way = np.where(lacking > 0, 1 - FLATTENED, 1.0) * lacking * (1 - np.linspace(-1, 1, len(lacking)) ** 8)
+        columns.part(here, reading, way / 2, way / 2)
+        after = columns.read(here)
+        none = Spared(np.zeros(len(columns.upper_kept)), np.zeros(len(columns.lower_kept)), np.zeros(len(way)))
+        columns.keep_apart(here, after, (after.upper + after.lower) / 2, none)
+        live[rows] = here
+        number = points_of_vertices(face, display)
+        face = _moved(face, live, np.where(number < display.moving, number, -1))
+    return face
+
+
+def _moved(face: Face, live: Float32Array, number: np.typing.NDArray[np.int64]) -> Face:
+    """The face with carried parts and those vertices at live points that are one of the skin, by its number, not -1."""
+    parts, start = [], 0
+    for part in face.parts:
+        if part.carrier == "skin":
+            count = len(part.mesh.positions)
+            part = replace(part, mesh=part.mesh.moved(live[start : start + count].astype(np.float64)))
+            start += count
+        parts.append(part)
+    positions = face.skin.positions.copy()
+    positions[number >= 0] = live[start + number[number >= 0]]
+    return replace(face, skin=face.skin.moved(positions), parts=tuple(parts))
