@@ -63,6 +63,7 @@ class ViewState:
     carry : muscles, units and expressions go along to another individual
     jaw_open, jaw_slide, jaw_side : degrees, and millimetres forward and to the subject's left, by which the jaw is
         moved only to be looked at in the Skull workspace, whatever the sliders say
+    linear : show the pure linear sum of the fields: no arc of the jaw, nothing that lids and lips meet
     linked : the sliders of left and right move together
     tools : by workspace the id of the tool in hand, where it is not the first one
     """
@@ -99,6 +100,7 @@ class ViewState:
     jaw_open: float = 0.0
     jaw_slide: float = 0.0
     jaw_side: float = 0.0
+    linear: bool = False
     linked: bool = True
     tools: Mapping[Workspace, str] = field(default_factory=dict)
 

@@ -45,13 +45,14 @@ def render(
     view: ViewName,
     size: tuple[int, int],
     show: Set[str],
+    linear: bool = False,
 ) -> None:
     """Draw one picture, see `ui.headless.render_to_file`."""
     try:
         from ui.headless import render_to_file
     except ImportError as error:
         raise missing_library(error) from error
-    render_to_file(project, solution, expression, path, view, size, show)
+    render_to_file(project, solution, expression, path, view, size, show, linear=linear)
 
 
 def gallery(project: Project, solution: Solution, path: Path) -> None:

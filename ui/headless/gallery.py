@@ -13,7 +13,8 @@ from facemodel.solve import Solution
 from ui.headless.picture import write_png
 from ui.headless.sheet import Entry, Section, sheet
 from ui.headless.stage import Stage, stage
-from ui.viewport.camera import face_frame, look_along
+from ui.panels.unit_text import motion_words
+from ui.viewport.camera import face_frame, head_frame, look_along
 from ui.viewport.surface import ByteArray
 
 PORTRAIT = (264, 324)
@@ -56,7 +57,7 @@ def _unit(made: Stage, project: Project, solution: Solution, unit: ActionUnit) -
     expression = expand({str(unit.number): 1.0}, project.units)
     peak = max((solution.basis.peak(name) for name in unit.fields if name in solution.basis.index), default=0.0)
     name = unit.name[:1].upper() + unit.name[1:]
-    note = f"{GROUP_TITLES[unit.group]}, {peak:.1f} mm"
+    note = f"{GROUP_TITLES[unit.group]}, {peak:.1f} mm" if unit.moves_skin else motion_words(unit).capitalize()
     return Entry(_pair(made, project, expression), str(unit.number), name, note)
 
 
@@ -72,8 +73,10 @@ def _pair(made: Stage, project: Project, expression: Expression) -> ByteArray:
     """The expression from the front and from three-quarter, side by side."""
     made.scene.pose(expression)
     camera = made.scene.renderer.GetActiveCamera()
+    upright = np.array_equal(made.scene.mount.motion, np.eye(4))
+    frame = face_frame(project.face) if upright else head_frame(project.face)
     pictures = []
     for azimuth, elevation in (FRONT, TURNED):
-        look_along(camera, face_frame(project.face), azimuth, elevation, PORTRAIT[0] / PORTRAIT[1])
+        look_along(camera, frame, azimuth, elevation, PORTRAIT[0] / PORTRAIT[1])
         pictures.append(made.picture())
     return np.concatenate(pictures, axis=1)

@@ -33,6 +33,7 @@ def render_image(
     show: Set[str] = frozenset(),
     muscle: str = "",
     theme: str = "dark",
+    linear: bool = False,
 ) -> ByteArray:
     """Draw an expression.
 
@@ -45,6 +46,7 @@ def render_image(
     show : any of `SHOWN`
     muscle : key of the muscle whose influence is shown
     theme : ``dark`` or ``light`` backdrop
+    linear : draw the pure linear sum of the fields
 
     Returns
     -------
@@ -59,7 +61,7 @@ def render_image(
     """
     _check(view, size, show)
     with stage(size, theme) as made:
-        made.scene.apply(ViewState(view=view, muscle=muscle, **dict.fromkeys(show, True)))
+        made.scene.apply(ViewState(view=view, muscle=muscle, linear=linear, **dict.fromkeys(show, True)))
         made.scene.show(project, solution)
         made.scene.pose(expression)
         made.scene.look_from(view)
@@ -76,6 +78,7 @@ def render_to_file(
     show: Set[str] = frozenset(),
     muscle: str = "",
     theme: str = "dark",
+    linear: bool = False,
 ) -> None:
     """Draw an expression into a PNG file; the parameters are those of `render_image`.
 
@@ -87,7 +90,7 @@ def render_to_file(
         If there is no such view, or nothing of that name can be shown.
     """
     checked_target(path)
-    write_png(render_image(project, solution, expression, view, size, show, muscle, theme), path)
+    write_png(render_image(project, solution, expression, view, size, show, muscle, theme, linear), path)
 
 
 def write_png(image: ByteArray, path: Path) -> None:

@@ -54,7 +54,7 @@ class EyeInLids:
         self._lids = lids
         self._seen: FloatArray | None = None
         self._front = np.flatnonzero(mesh.positions[:, 2] > eye.centre[2])
-        self._rest = self._at = mesh.positions[self._front]
+        self._at = mesh.positions[self._front]
         self._motion = np.eye(4)
 
     @property
@@ -62,17 +62,12 @@ class EyeInLids:
         """What is drawn, the clear film last."""
         return self.ball.actor, self.film.actor
 
-    def turn(self, motion: FloatArray) -> None:
-        """Turn by a motion (4, 4) about the centre; the lids and their shade stay."""
-        if np.array_equal(motion, self._motion):
-            return
-        self._motion = motion
-        self._at = self._rest @ motion[:3, :3].T + motion[:3, 3]
+    def turn(self, head: FloatArray, motion: FloatArray) -> None:
+        """Turn the eyeball by a motion (4, 4) within a head that is moved by another one."""
+        if not np.array_equal(motion, self._motion):
+            self._motion, self._seen = motion, None
         for surface in (self.ball, self.film):
-            moved_by(surface, motion)
-        margin, self._seen = self._seen, None
-        if margin is not None:
-            self._shade_under(margin)
+            moved_by(surface, head @ motion)
 
     def shade(self, points: Float32Array) -> None:
         """Follow the lids: ``points`` (P, 3) is the posed skin."""
@@ -81,13 +76,11 @@ class EyeInLids:
         margin = self._lids.places(points)
         if self._seen is not None and np.array_equal(margin, self._seen):
             return
-        self._shade_under(margin)
-
-    def _shade_under(self, margin: FloatArray) -> None:
         self._seen = margin
         colours = self.ball.colours
         if colours is not None:
-            colours[self._front, 3] = np.clip(255 * lid_light(self._at, margin), 0, 255)
+            at = self._at @ self._motion[:3, :3].T + self._motion[:3, 3]
+            colours[self._front, 3] = np.clip(255 * lid_light(at, margin), 0, 255)
             self.ball.recoloured()
 
 

@@ -12,6 +12,7 @@ from ui.viewport.eyes import EyeInLids
 from ui.viewport.lashes import Lashes
 from ui.viewport.lids import lids_of
 from ui.viewport.look import look_of
+from ui.viewport.mouth import MouthLight
 from ui.viewport.neck import neck_cap, neck_cut
 from ui.viewport.parts import enamel, lining, socket, tongue
 from ui.viewport.seams import seam
@@ -49,6 +50,7 @@ class Figure:
         for part in face.parts:
             self._place(part)
         self._seam = seam(self.skin.surface, display, self._look.palette) if self._carried else None
+        self._mouth = MouthLight(face, display, [*self._still, *self._jaw])
         self.follow()
 
     def ghost(self, ghost: Ghost, bones: bool = False) -> None:
@@ -68,12 +70,15 @@ class Figure:
         self.skin.surface.moved()
         for surface in self._carried:
             surface.moved()
+        stance = self.posed.stance
         for surface in self._jaw:
-            moved_by(surface, self.posed.jaw)
-        for eye in self.eyes:
+            moved_by(surface, stance.head @ stance.jaw)
+        for eye, motion in zip(self.eyes, stance.eyes, strict=True):
+            eye.turn(stance.head, motion)
             eye.shade(self.posed.points)
         for lash in self.lashes:
             lash.follow(self.posed.points)
+        self._mouth.follow(self.posed.points)
 
     @property
     def actors(self) -> Iterator[vtkActor]:

@@ -5,7 +5,6 @@ It draws nothing by itself: whoever changes it asks for a picture afterwards, at
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -16,12 +15,13 @@ from app.differences import same_head
 from app.solo import unit_in_hand
 from app.view_state import ViewState
 from facemodel.actions import Expression
+from facemodel.kinematics import rig_of
 from facemodel.muscles import Muscle
 from facemodel.neutral import neutral_basis
 from facemodel.project import Project
 from facemodel.solve import Solution
 from facemodel.superposition import Superposition
-from fem.types import Float32Array, FloatArray
+from fem.types import FloatArray
 from ui.viewport.backdrop import hang
 from ui.viewport.camera import (
     DIRECTIONS,
@@ -37,20 +37,18 @@ from ui.viewport.camera import (
 )
 from ui.viewport.figure import Figure
 from ui.viewport.lights import light
+from ui.viewport.mount import HeadMount
 from ui.viewport.muscle_fields import muscle_named, muscle_pull, strongest_muscle
 from ui.viewport.overlays.forces import ForcesOverlay
-from ui.viewport.overlays.glow import glow_paint
-from ui.viewport.overlays.influence import InfluenceOverlay, influence_paint
+from ui.viewport.overlays.influence import InfluenceOverlay
 from ui.viewport.overlays.muscles import MusclesOverlay
 from ui.viewport.overlays.overlay import Drawn, Overlay
 from ui.viewport.overlays.skull import SkullOverlay
-from ui.viewport.overlays.supports import SupportsOverlay, held_paint
+from ui.viewport.overlays.supports import SupportsOverlay
 from ui.viewport.overlays.wireframe import WireframeOverlay
+from ui.viewport.paint import Coat, paint_of, painted
 from ui.viewport.pick import Hit, first_hit, ray_through, skin_vertex
 from ui.viewport.shading import Ghost
-
-Coat = Callable[[Drawn], Float32Array | None]
-"""Makes colours (P, 4) of what is drawn, or None."""
 
 CLOSE = 32.0
 """Half the height of the picture, millimetres, in which a place of the face is looked at."""
@@ -70,6 +68,7 @@ class Scene:
     ----------
     plotter, renderer : where it draws
     figure : the face as it is drawn; none before the first project
+    mount : carries all of it as the head is held
     coat : paints the skin where nothing glows, before influence and supports do; then call `repaint`
     skull : the bone, which can be carried and dyed
     state : what is shown
@@ -80,6 +79,7 @@ class Scene:
         self.renderer: vtkRenderer = plotter.renderer
         self.figure: Figure | None = None
         self.state = ViewState()
+        self.mount = HeadMount()
         self._drawn: Drawn | None = None
         self.coat: Coat | None = None
         self.skull = SkullOverlay(self.renderer)
@@ -108,8 +108,9 @@ class Scene:
         before = self._drawn
         basis = solution.basis if solution is not None else neutral_basis(project)
         same = before is not None and same_head(before.project.face, project.face)
-        if self.figure is None or not same or not self.figure.posed.adopt(project.face, basis):
-            self._become(Figure(Superposition(project.face, basis)))
+        rig = rig_of(project.units)
+        if self.figure is None or not same or not self.figure.posed.adopt(project.face, basis, rig):
+            self._become(Figure(Superposition(project.face, basis, rig, linear=self.state.linear)))
         assert self.figure is not None
         self._drawn = self._seen_by(self.state, Drawn(project, self.figure, {}))
         if not same:
@@ -133,6 +134,8 @@ class Scene:
             return
         before = self._drawn.project
         self._drawn = self._seen_by(self.state, replace(self._drawn, project=project))
+        if before.units is not project.units:
+            self._drawn.figure.posed.rig = rig_of(project.units)
         if any(getattr(before, name) is not getattr(project, name) for name in ("face", "muscles", "units")):
             self._paint()
             for name, overlay in self._overlays.items():
@@ -143,8 +146,9 @@ class Scene:
         if self.figure is None or self._drawn is None:
             return
         self.figure.posed.pose(expression)
-        self.figure.follow()
         self._drawn = replace(self._drawn, expression=dict(expression))
+        self.mount.hold(self.figure.posed.stance.head)
+        self.figure.follow()
         self._follow()
 
     def apply(self, state: ViewState) -> None:
@@ -155,8 +159,11 @@ class Scene:
             return
         self._drawn = self._seen_by(state, self._drawn)
         self.skull.tried = (state.jaw_open, state.jaw_slide, state.jaw_side) if state.jaw_tried else None
+        if state.linear != self._drawn.figure.posed.linear:
+            self._drawn.figure.posed.straighten(state.linear)
+            self.pose(self._drawn.expression)
         self._ghost()
-        if _painted(state) != _painted(before):
+        if painted(state) != painted(before):
             self._paint()
         for name, overlay in self._overlays.items():
             anew = (name == "influence" and state.muscle != before.muscle) or (
@@ -186,6 +193,7 @@ class Scene:
         """To be called before a picture is drawn: what has a size on the screen follows the camera."""
         if self._drawn is None:
             return
+        self.mount.carry(self.renderer)
         self.renderer.ResetCameraClippingRange()
         half = picture_scale(self.renderer.GetActiveCamera())
         if abs(half / self._drawn.half_height - 1) > RESCALED:
@@ -219,7 +227,7 @@ class Scene:
             return
         face = self._drawn.project.face
         pull = muscle_pull(muscle, face)
-        places = face.skin.positions[pull > 0.2 * pull.max()]
+        places = self.mount.outside(face.skin.positions[pull > 0.2 * pull.max()])
         towards = -np.array(self.renderer.GetActiveCamera().GetDirectionOfProjection())
         half = 1.6 * float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())
         look_closely(self.renderer, places.mean(axis=0), towards, half)
@@ -229,9 +237,9 @@ class Scene:
         if self._drawn is None:
             return
         skin = self._drawn.project.face.skin
-        facing = skin.normals[skin.tree.query(places)[1]].sum(axis=0)
+        facing = self.mount.outwards(skin.normals[skin.tree.query(places)[1]].sum(axis=0))
         half = CLOSE + float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())
-        look_closely(self.renderer, places.mean(axis=0), level(facing), half)
+        look_closely(self.renderer, self.mount.outside(places.mean(axis=0)), level(facing), half)
 
     def turn(self, degrees: float) -> None:
         """Turn the head by some degrees, as on a turntable."""
@@ -243,7 +251,12 @@ class Scene:
         if self.figure is None:
             return None
         posed = self.figure.posed
-        return first_hit(posed.points, posed.basis.display.triangles, *ray_through(self.renderer, x, y))
+        return first_hit(posed.points, posed.basis.display.triangles, *self.ray(x, y))
+
+    def ray(self, x: float, y: float) -> tuple[FloatArray, FloatArray]:
+        """Origin and unit direction, in the head's own coordinates, of the ray through a point of the picture."""
+        origin, along = ray_through(self.renderer, x, y)
+        return self.mount.inside(origin), self.mount.inwards(along)
 
     def muscle_at(self, x: float, y: float) -> Muscle | None:
         """The muscle that pulls most on the skin under a point of the picture."""
@@ -265,16 +278,8 @@ class Scene:
             self.figure.ghost(Ghost.VEIL if veiled else Ghost.SOLID, bones=self.state.skull)
 
     def _paint(self) -> None:
-        if self.figure is None or self._drawn is None:
-            return
-        colours = glow_paint(self._drawn) if self._drawn.glowing else None
-        if colours is None and self.coat is not None:
-            colours = self.coat(self._drawn)
-        if colours is None and self.state.influence:
-            colours = influence_paint(self._drawn)
-        if colours is None and self.state.supports:
-            colours = held_paint(self._drawn)
-        self.figure.skin.paint(colours)
+        if self.figure is not None and self._drawn is not None:
+            self.figure.skin.paint(paint_of(self._drawn, self.state, self.coat))
 
     def _wanted(self, name: str) -> bool:
         """Whether an overlay is asked for; under a coat there is no influence to have a legend."""
@@ -292,8 +297,3 @@ class Scene:
         for overlay in self._overlays.values():
             if overlay.shown and self._drawn is not None:
                 overlay.follow(self._drawn)
-
-
-def _painted(state: ViewState) -> tuple[bool, bool, str]:
-    """The members of a view state that decide what is laid on the skin."""
-    return state.influence, state.supports, state.muscle

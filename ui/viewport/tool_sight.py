@@ -20,7 +20,7 @@ from fem.types import BoolArray, FloatArray, IntArray
 from ui.viewport.overlays.overlay import Drawn
 from ui.viewport.overlays.supports import points_of_vertices
 from ui.viewport.pick import Hit as DrawnHit
-from ui.viewport.pick import first_hit, ray_through
+from ui.viewport.pick import first_hit
 from ui.viewport.scene import Scene
 
 TIP = 6.0
@@ -69,7 +69,7 @@ class ToolSight:
         if drawn is None:
             return Pointer(x, y, modifiers=held, pressure=pressure)
         column, row = self._in_picture(x, y)
-        ray = Ray(*ray_through(self._scene.renderer, column, row))
+        ray = Ray(*self._scene.ray(column, row))
         hit = (self._first(drawn, ray) or self._scene.pick(column, row)) if asks_skin else None
         skin = None if hit is None else skin_hit(drawn.project.face, *self._at_rest(drawn, hit))
         skull = self._bone(drawn, ray) if asks_skull else None
@@ -82,7 +82,7 @@ class ToolSight:
         height = max(1, self._scene.renderer.GetSize()[1])
         if camera.GetParallelProjection():
             return float(2 * camera.GetParallelScale() / height * self.scale)
-        at = np.array(camera.GetFocalPoint()) if place is None else place
+        at = np.array(camera.GetFocalPoint()) if place is None else self._scene.mount.outside(place)
         away = float((at - np.array(camera.GetPosition())) @ np.array(camera.GetDirectionOfProjection()))
         return float(2 * away * np.tan(np.radians(camera.GetViewAngle() / 2)) / height * self.scale)
 
@@ -171,14 +171,15 @@ class ToolSight:
         """Ways (N, 3) from places to the eye, however long."""
         camera = self._scene.renderer.GetActiveCamera()
         if camera.GetParallelProjection():
-            return np.broadcast_to(-np.array(camera.GetDirectionOfProjection()), places.shape)
-        return np.array(camera.GetPosition()) - places
+            away = -np.array(camera.GetDirectionOfProjection())
+            return np.broadcast_to(self._scene.mount.inwards(away), places.shape)
+        return self._scene.mount.inside(np.array(camera.GetPosition())) - places
 
     def _on_screen(self, places: FloatArray) -> FloatArray:
         """Pixels (N, 2) of the picture from its upper left corner."""
         renderer = self._scene.renderer
         width, height = renderer.GetSize()
-        clip = np.column_stack([places, np.ones(len(places))]) @ _matrix(renderer).T
+        clip = np.column_stack([self._scene.mount.outside(places), np.ones(len(places))]) @ _matrix(renderer).T
         there = clip[:, :2] / clip[:, 3:]
         return np.column_stack([(there[:, 0] + 1) / 2 * width, (1 - there[:, 1]) / 2 * height])
 

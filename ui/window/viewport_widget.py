@@ -17,6 +17,7 @@ from app.solo import seen
 from app.view import View
 from app.view_state import ViewName, ViewState
 from facemodel.actions import Expression
+from facemodel.contact.contact import contact_of
 from facemodel.face import Face
 from facemodel.io.disk import replacing
 from facemodel.muscles import Muscle
@@ -192,6 +193,7 @@ class Viewport(QWidget):
         self._document.layers_changed.connect(self._edited)
         self._document.muscles_changed.connect(self._edited)
         self._document.skull_changed.connect(self._edited)
+        self._document.units_changed.connect(self._edited)
         self._document.expression_changed.connect(self._pose)
         self._view.changed.connect(self._apply)
         self._view.camera_asked.connect(self._look_from)
@@ -292,5 +294,5 @@ class Viewport(QWidget):
 def _ready(project: Project, solution: Solution | None) -> None:
     """Compute what `Scene.show` needs and those who make it remember."""
     look_of(project.face)
-    if solution is None:
-        neutral_basis(project)
+    basis = neutral_basis(project) if solution is None else solution.basis
+    contact_of(project.face, basis.display)

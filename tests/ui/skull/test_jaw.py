@@ -5,9 +5,9 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
+from facemodel.jaw.motion import jaw_motion
 from facemodel.sameness import same
 from facemodel.skull.jaw_region import whole_skull
-from facemodel.superposition import jaw_motion
 from tests.ui.hands import drag as drag_bar
 from tests.ui.hands import move
 from tests.ui.skull.conftest import click, drag, hold, pixel, tick

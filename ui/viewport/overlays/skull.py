@@ -7,8 +7,8 @@ from collections import deque
 import numpy as np
 
 from facemodel.face import Jaw
+from facemodel.jaw.motion import jaw_motion
 from facemodel.mesh import Mesh
-from facemodel.superposition import jaw_motion
 from fem.types import FloatArray, IntArray
 from ui.viewport.look import bytes_of
 from ui.viewport.occlusion import openness
@@ -55,12 +55,13 @@ class SkullOverlay(Overlay):
 
     def follow(self, drawn: Drawn) -> None:
         """Turn the mandible with the jaw."""
+        stance = drawn.figure.posed.stance
         cranium, mandible = self._bones
-        moved_by(cranium, self._way)
-        moved_by(mandible, self._way @ self.jaw(drawn))
+        moved_by(cranium, stance.head @ self._way)
+        moved_by(mandible, stance.head @ self._way @ self.jaw(drawn))
 
     def jaw(self, drawn: Drawn) -> FloatArray:
-        """The motion (4, 4) that the mandible is drawn with."""
+        """The motion (4, 4) within the head that the mandible is drawn with."""
         if self.tried is None:
             return drawn.figure.posed.jaw
         return jaw_motion(self.hinge or drawn.project.face.skull.jaw, *self.tried)
