@@ -12,6 +12,7 @@ from facemodel.making.atlas import make_muscles
 from facemodel.making.gains import find_gains
 from facemodel.making.head import base_cut, make_face
 from facemodel.making.individuals import INDIVIDUALS
+from facemodel.making.lips import with_closed_lips
 from facemodel.making.sculpted import make_sculpted
 from facemodel.making.wheel import Wheel
 from facemodel.sculpted import write_sculpted
@@ -35,7 +36,7 @@ def main() -> None:
     for person in INDIVIDUALS:
         if asked.only not in (None, person.key):
             continue
-        face = make_face(wheel, person, cut)
+        face = with_closed_lips(make_face(wheel, person, cut))
         write_face(face, resource("faces", f"{person.key}.face"), single=True)
         atlas = find_gains(face, make_muscles(face.skin, face.skull, face.landmarks, face.eyes))
         write_atlas(atlas, ATLAS_PROVENANCE, resource("atlas", f"{person.key}.json"))
