@@ -18,7 +18,7 @@ from fem.types import BoolArray, FloatArray, IntArray
 LIP = 8.0
 """Millimetres from the edge of a lip within which its skin may meet something."""
 
-AROUND = 16.0
+AROUND = 10.0
 """Millimetres from that edge up to which the other lip is one surface."""
 
 ON_EDGE = 1e-3
@@ -59,25 +59,31 @@ class MouthDepths:
         upper = np.einsum("pk,pk->p", display.barycentric, side.astype(np.float64)) > 0.5
         edge = face.skin.positions[np.concatenate([mouth.upper, mouth.lower])]
         away = KDTree(edge).query(display.points)[0]
-        self._lips = tuple(np.flatnonzero((away < LIP) & (upper == up)) for up in (True, False))
+        right, left = face.skin.positions[list(mouth.corners)][:, 0]
+        within = (display.points[:, 0] > right) & (display.points[:, 0] < left)
+        self._lips = tuple(np.flatnonzero((away < LIP) & within & (upper == up)) for up in (True, False))
         self._patches = tuple(_patch(display.triangles, (away < AROUND) & (upper == up)) for up in (True, False))
-        self._teeth = tuple(part for part in face.parts if part.kind == "teeth")
+        rows = [part for part in face.parts if part.kind == "teeth"]
+        self._teeth = tuple((row.name, _patch(row.mesh.triangles, _all(row.mesh.positions))) for row in rows)
 
     def in_each_other(self, posed: Superposition) -> float:
         """How far the skin of one lip is behind the nearest place of the other one, millimetres at most."""
         points = posed.points.astype(np.float64)
         own, other = self._lips, self._patches[::-1]
-        return max(_behind(points, lip, patch) for lip, patch in zip(own, other, strict=True))
+        return max(_behind(points[lip], patch, points) for lip, patch in zip(own, other, strict=True))
 
     def in_teeth(self, posed: Superposition) -> float:
-        """How far the skin of a lip is within a tooth, millimetres at most."""
+        """How far the skin of a lip is behind the front of a row of teeth, millimetres at most."""
         lips = posed.points[np.concatenate(self._lips)].astype(np.float64)
-        rows = [(posed.parts[part.name].astype(np.float64), part.mesh.triangles) for part in self._teeth]
-        return max(_within(lips, teeth, triangles) for teeth, triangles in rows)
+        return max(_within(lips, posed.parts[name].astype(np.float64), patch) for name, patch in self._teeth)
 
 
 Patch = tuple[IntArray, BoolArray]
 """Triangles (T, 3), and which of all points (P,) lie on their border."""
+
+
+def _all(points: FloatArray) -> BoolArray:
+    return np.ones(len(points), dtype=np.bool_)
 
 
 def _patch(triangles: IntArray, chosen: BoolArray) -> Patch:
@@ -87,12 +93,12 @@ def _patch(triangles: IntArray, chosen: BoolArray) -> Patch:
     return own, border
 
 
-def _behind(points: FloatArray, lip: IntArray, patch: Patch) -> float:
-    """How far points are behind a surface; what is nearest to its border is beside it."""
+def _behind(points: FloatArray, patch: Patch, surface: FloatArray) -> float:
+    """How far points (n, 3) are behind a surface; what is nearest to its border is beside it."""
     triangles, border = patch
     kind = igl.SIGNED_DISTANCE_TYPE_PSEUDONORMAL
-    signed, at, nearest, _ = igl.signed_distance(points[lip], points, triangles, kind)
-    corners = points[triangles[at]]
+    signed, at, nearest, _ = igl.signed_distance(points, surface, triangles, kind)
+    corners = surface[triangles[at]]
     opposite = [np.cross(corners[:, (k + 1) % 3] - nearest, corners[:, (k + 2) % 3] - nearest) for k in range(3)]
     share = np.linalg.norm(np.stack(opposite, axis=1), axis=2)
     share /= share.sum(axis=1, keepdims=True) + 1e-12
@@ -100,11 +106,9 @@ def _behind(points: FloatArray, lip: IntArray, patch: Patch) -> float:
     return float(np.where(beside, 0.0, -signed).max(initial=0.0))
 
 
-def _within(points: FloatArray, teeth: FloatArray, triangles: IntArray) -> float:
-    low, high = teeth.min(axis=0), teeth.max(axis=0)
-    near = points[((points > low) & (points < high)).all(axis=1)]
-    inside = near[igl.winding_number(teeth, triangles, near) > 0.5] if len(near) else near
-    return float(np.sqrt(igl.point_mesh_squared_distance(inside, teeth, triangles)[0]).max()) if len(inside) else 0.0
+def _within(points: FloatArray, teeth: FloatArray, patch: Patch) -> float:
+    near = points[((points > teeth.min(axis=0)) & (points < teeth.max(axis=0))).all(axis=1)]
+    return _behind(near, patch, teeth) if len(near) else 0.0
 
 
 def seen_of_eyeball(eye: Eye, posed: Superposition) -> float:

@@ -75,10 +75,10 @@ class Contact:
             self._open_eye(face, display, eye, number, rest)
         mouth = lay_lips(face, display)
         if mouth is not None:
-            rows, columns = mouth
+            rows, lips = mouth
             skin = int(np.searchsorted(rows, len(rest) - display.moving))
-            teeth = BeforeTeeth(columns, rows_of_teeth(face), skin, rest[rows])
-            self._add(face, display, rows, [teeth, Lips(columns, rest[rows])])
+            teeth = BeforeTeeth(lips.columns, rows_of_teeth(face), skin, rest[rows])
+            self._add(face, display, rows, [teeth, Lips(lips, rest[rows])])
         self.rows: IntArray = np.concatenate([np.zeros(0, dtype=np.int64), *(site.rows for site in self._sites)])
 
     def _open_eye(self, face: Face, display: DisplaySurface, eye: Eye, number: int, rest: Float32Array) -> None:

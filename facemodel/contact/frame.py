@@ -49,6 +49,10 @@ class Flat:
         """See `Frame`."""
         return np.asarray((points - self.middle) @ self.axes[1])
 
+    def depth(self, points: Points) -> FloatArray:
+        """Millimetres forward, of points (..., 3)."""
+        return np.asarray((points - self.middle) @ self.axes[2])
+
     def lift(self, points: Float32Array, by: Float32Array) -> None:
         """See `Frame`."""
         points += by[:, None] * self.axes[1].astype(np.float32)

@@ -19,9 +19,6 @@ COLUMNS = 25
 FEWEST = 7
 """Columns without which a slit is too crooked to be kept shut by them."""
 
-END = 0.96
-"""Share of half the slit at which the outermost columns lie; in the corner itself both sides are one."""
-
 SAMPLES = 14
 """Places on each column."""
 
@@ -44,7 +41,7 @@ def slit_columns(
     edge : finds the last place (I,) of each column that counts on places (I, J, 3) at rest; without it all of them do
     """
     right, left = frame.along(slit.corners)
-    offsets = (right + left) / 2 + END * (left - right) / 2 * np.linspace(-1, 1, COLUMNS)
+    offsets = (right + left) / 2 + reach.end * (left - right) / 2 * np.linspace(-1, 1, COLUMNS)
     sides = [_traced(slit, display, frame, reach, edge, offsets) for edge in (slit.edges.upper, slit.edges.lower)]
     both = np.intersect1d(sides[0][1], sides[1][1])
     if len(both) < FEWEST:
@@ -62,7 +59,7 @@ def slit_columns(
     for each in columns:
         read[np.unique(each.operator.indices)] = True
     rows = np.flatnonzero(moved | read | also)
-    within = np.clip((frame.along(slit.rest[rows]) - (right + left) / 2) / ((left - right) / 2), -1, 1)
+    within = np.clip((frame.along(slit.rest[rows]) - (right + left) / 2) / (reach.end * (left - right) / 2), -1, 1)
     near = slit.away[rows] < reach.kept * np.sqrt(1 - within**2)
     return rows, SlitColumns(
         frame,

@@ -20,12 +20,14 @@ class Reach:
     profile : how far the columns run at most, from its edge
     whole, faded : up to where the skin goes with the edge, and from where on it stays, above and below
     kept : up to where a point is kept on its own side
+    end : share of half the slit at which the outermost columns lie; in the corner itself both sides are one
     """
 
     profile: float
     whole: tuple[float, float]
     faded: tuple[float, float]
     kept: float
+    end: float
 
     def beyond(self, margin: float) -> Reach:
         """The same from the edge of the slit, if the columns end so many millimetres from it."""

@@ -8,7 +8,6 @@ import numpy as np
 
 from facemodel.contact.contact import live_at_rest
 from facemodel.contact.lips import lay_lips
-from facemodel.contact.slit import Spared
 from facemodel.face import Face
 from facemodel.sampling import ELEMENTS, display_surface, head_surface, points_of_vertices
 from fem.types import Float32Array
@@ -37,17 +36,15 @@ def with_closed_lips(face: Face) -> Face:
         laid = lay_lips(face, display)
         if laid is None:
             return face
-        rows, columns = laid
+        rows, mouth = laid
         live = live_at_rest(face, display)
         here = live[rows]
-        reading = columns.read(here)
-        lacking = TOUCH - reading.gap
+        meeting = mouth.meeting(here)
+        lacking = TOUCH - meeting.gap
         # In the very corner both lips are one.
-        way = np.where(lacking > 0, 1 - FLATTENED, 1.0) * lacking * (1 - np.linspace(-1, 1, len(lacking)) ** 8)
-        columns.part(here, reading, way / 2, way / 2)
-        after = columns.read(here)
-        none = Spared(np.zeros(len(columns.upper_kept)), np.zeros(len(columns.lower_kept)), np.zeros(len(way)))
-        columns.keep_apart(here, after, (after.upper + after.lower) / 2, none)
+        way = (1 - np.linspace(-1, 1, len(lacking)) ** 16) * np.where(lacking > 0, 1 - FLATTENED, 1.0) * lacking
+        mouth.columns.part(here, meeting.reading, way / 2, way / 2)
+        mouth.keep_apart(here, mouth.meeting(here))
         live[rows] = here
         number = points_of_vertices(face, display)
         face = _moved(face, live, np.where(number < display.moving, number, -1))
