@@ -87,7 +87,9 @@ def on_upper_side(mesh: Mesh, slit: Slit) -> BoolArray:
     for chain in (slit.upper, slit.lower):
         at = (mesh.positions[chain] - (right + left) / 2) @ (left - right) * 2 / ((left - right) @ (left - right))
         ways.append(dijkstra(graph, indices=chain[np.abs(at) <= MIDDLE], min_only=True))
-    return np.asarray(ways[0] < ways[1])
+    # A lip that reaches far into the mouth makes ways to its edge long: in the corners both are equally far.
+    further = float(np.mean((ways[0] - ways[1])[list(slit.corners)]))
+    return np.asarray(ways[0] - further < ways[1])
 
 
 MIDDLE = 0.75

@@ -33,7 +33,7 @@ def test_a_unit_that_presses_would_take_them_through_each_other(
     for posed in (kept, straight):
         posed.pose({name: 1.0})
     assert depths.in_each_other(straight) > 1.0
-    assert depths.in_each_other(kept) < 0.1
+    assert depths.in_each_other(kept) < 0.2
 
 
 def test_lips_that_meet_nothing_are_left_to_the_sum(face: Face, basis: Basis) -> None:
