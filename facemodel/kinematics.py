@@ -1,9 +1,10 @@
-"""Eyes and head of a pose: rigid motions, summed over the action units that ask for them."""
+"""Eyes and head of a pose: rigid motions, summed over the action units and the channels that ask for them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import astuple, dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import astuple, dataclass, replace
+from types import MappingProxyType
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -23,6 +24,28 @@ HIGHEST, LOWEST = 40.0, -50.0
 BELOW_HINGE, BEHIND_HINGE = 30.0, 18.0
 """Millimetres from the condyles to the middle of the upper neck, about which a head turns, nods and tilts."""
 
+Rigid = Mapping[str, float]
+"""Degrees and millimetres of head and eyes by channel, see `facemodel.animation.channels`; those not named rest."""
+
+NO_TURN: Rigid = MappingProxyType({})
+"""Every channel rests."""
+
+
+@dataclass(frozen=True)
+class Posture:
+    """How eyes and head are held, in all.
+
+    Attributes
+    ----------
+    eyes : of the face, in its order: degrees to the subject's left and upwards
+    head : its turns, and how far it is forward
+    shift : millimetres by which it goes to the subject's left, up and forward besides
+    """
+
+    eyes: tuple[tuple[float, float], ...]
+    head: HeadMotion
+    shift: tuple[float, float, float]
+
 
 @dataclass(frozen=True, eq=False)
 class Rig:
@@ -37,13 +60,14 @@ class Rig:
     eyes: dict[str, EyeMotion]
     head: dict[str, HeadMotion]
 
-    def gaze(self, expression: Expression) -> EyeMotion:
-        """How the eyes are turned in an expression."""
-        return EyeMotion(*_summed(expression, self.eyes, 3))
-
-    def bearing(self, expression: Expression) -> HeadMotion:
-        """How the head is held in an expression."""
-        return HeadMotion(*_summed(expression, self.head, 4))
+    def posture(self, face: Face, expression: Expression, rigid: Rigid = NO_TURN) -> Posture:
+        """How eyes and head are held in an expression, and by channels beside it."""
+        gaze = EyeMotion(*_summed(expression, self.eyes, 3))
+        held = HeadMotion(*_summed(expression, self.head, 4))
+        yaw, pitch, roll = (rigid.get(f"head.{name}", 0.0) for name in ("yaw", "pitch", "roll"))
+        across, up, forward = (rigid.get(f"head.{axis}", 0.0) for axis in "xyz")
+        head = replace(held, turn=held.turn + yaw, lift=held.lift + pitch, tilt=held.tilt + roll)
+        return Posture(tuple(_look(eye, gaze, rigid) for eye in face.eyes), head, (across, up, forward))
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,23 +77,21 @@ class Stance:
     Attributes
     ----------
     jaw : (4, 4) motion of the mandible within the head
-    gaze, bearing : how the eyes are turned and how the head is held
+    posture : how eyes and head are held
     eyes : (4, 4) motion of each eyeball within the head, in the order of the face
     head : (4, 4) motion of the head with all that belongs to it
     """
 
     jaw: FloatArray
-    gaze: EyeMotion
-    bearing: HeadMotion
+    posture: Posture
     eyes: tuple[FloatArray, ...]
     head: FloatArray
 
 
-def stance_of(face: Face, rig: Rig, expression: Expression, jaw: FloatArray) -> Stance:
-    """How the rigid parts of a face stand in an expression, with its jaw moved by (4, 4)."""
-    gaze, bearing = rig.gaze(expression), rig.bearing(expression)
-    eyes = tuple(eye_motion(eye, gaze) if gaze else np.eye(4) for eye in face.eyes)
-    return Stance(jaw, gaze, bearing, eyes, head_motion(face, bearing) if bearing else np.eye(4))
+def stance_of(face: Face, posture: Posture, jaw: FloatArray) -> Stance:
+    """How the rigid parts of a face stand in a posture, with its jaw moved by (4, 4)."""
+    eyes = tuple(_turned(eye, look) for eye, look in zip(face.eyes, posture.eyes, strict=True))
+    return Stance(jaw, posture, eyes, _held(face, posture))
 
 
 STILL = Rig({}, {})
@@ -98,21 +120,36 @@ def _summed(expression: Expression, table: dict[str, EyeMotion] | dict[str, Head
     return [float(value) for value in total]
 
 
-def eye_motion(eye: Eye, gaze: EyeMotion) -> FloatArray:
-    """Rigid motion (4, 4) of an eyeball: it turns about its centre as far as an eye can, first up, then aside."""
+def _look(eye: Eye, gaze: EyeMotion, rigid: Rigid) -> tuple[float, float]:
+    """Degrees to the left and upwards in which an eye looks, as far as it can."""
     outward = 1.0 if eye.side == "L" else -1.0
-    aside = float(np.clip(gaze.turn + outward * gaze.spread, -WIDEST_TURN, WIDEST_TURN))
-    lift = float(np.clip(gaze.lift, LOWEST, HIGHEST))
+    aside = gaze.turn + outward * gaze.spread + rigid.get(f"eye{eye.side}.yaw", 0.0)
+    lift = gaze.lift + rigid.get(f"eye{eye.side}.pitch", 0.0)
+    return float(np.clip(aside, -WIDEST_TURN, WIDEST_TURN)), float(np.clip(lift, LOWEST, HIGHEST))
+
+
+def _turned(eye: Eye, look: tuple[float, float]) -> FloatArray:
+    """Rigid motion (4, 4) of an eyeball: it turns about its centre, first up, then aside."""
+    aside, lift = look
+    if not (aside or lift):
+        return np.eye(4)
     return _about(eye.centre, Rotation.from_euler("YX", [aside, -lift], degrees=True))
 
 
-def head_motion(face: Face, bearing: HeadMotion) -> FloatArray:
-    """Rigid motion (4, 4) of a head with all that belongs to it."""
+def neck_joint(face: Face) -> FloatArray:
+    """The point (3,) about which a head turns, nods and tilts."""
     middle, frame = hinge_frame(face.skull.jaw)
-    pivot = middle - BELOW_HINGE * frame[1] - BEHIND_HINGE * frame[2]
-    angles = [bearing.turn, -bearing.lift, -bearing.tilt]
-    motion = _about(pivot, Rotation.from_euler("YXZ", angles, degrees=True))
-    motion[2, 3] += bearing.forward
+    return np.asarray(middle - BELOW_HINGE * frame[1] - BEHIND_HINGE * frame[2])
+
+
+def _held(face: Face, posture: Posture) -> FloatArray:
+    """Rigid motion (4, 4) of a head with all that belongs to it."""
+    head = posture.head
+    if not (head or any(posture.shift)):
+        return np.eye(4)
+    motion = _about(neck_joint(face), Rotation.from_euler("YXZ", [head.turn, -head.lift, -head.tilt], degrees=True))
+    motion[:3, 3] += posture.shift
+    motion[2, 3] += head.forward
     return motion
 
 

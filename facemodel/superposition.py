@@ -11,7 +11,7 @@ from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.field_sum import add_field, sum_fields
 from facemodel.jaw.motion import jaw_motion
-from facemodel.kinematics import STILL, Rig, Stance, stance_of
+from facemodel.kinematics import NO_TURN, STILL, Rig, Rigid, Stance, stance_of
 from facemodel.sculpting.sampler import DrawnChange
 from fem.types import Float32Array, FloatArray
 
@@ -34,6 +34,8 @@ class Superposition:
     points : (P, 3) float32, the posed skin; always the same array
     normals : (P, 3) float32, its unit normals; always the same array
     parts : posed points (n, 3) float32 of every part of the face by its name; always the same arrays
+    rig : what the sliders do to eyes and head
+    turned : how eyes and head are turned besides; seen with the next pose
     stance : how jaw, eyes and head stand; what is drawn is the head upright, to be moved by ``stance.head``
     shifts : how many shifts lie on what is posed
 
@@ -50,6 +52,7 @@ class Superposition:
     ) -> None:
         display = basis.display
         self.face, self.basis, self.rig, self.linear = face, basis, rig, linear
+        self.turned: Rigid = NO_TURN
         rest_of = {part.name: part.mesh.positions.astype(np.float32) for part in face.parts}
         carried = [rest_of[name] for name, _ in display.carried]
         self._buffer: Float32Array = np.concatenate([*carried, display.points]).ravel()
@@ -105,7 +108,7 @@ class Superposition:
         self._bends = self._bends_of(self._weights)
         self._increments = self.shifts = 0
         self._touched: Float32Array | None = None
-        self.stance: Stance = stance_of(self.face, self.rig, {}, np.eye(4))
+        self.stance: Stance = stance_of(self.face, STILL.posture(self.face, {}), np.eye(4))
         self._turn_normals()
         self._move_jaw()
 
@@ -137,11 +140,12 @@ class Superposition:
             row = self.basis.index.get(name)
             if row is not None:
                 weights[row] = weight
-        if np.array_equal(weights, self._weights) and not self._turns(expression):
+        posture = self.rig.posture(self.face, expression, self.turned)
+        if np.array_equal(weights, self._weights) and posture == self.stance.posture:
             return
         self._lift()
         self._add_up(weights, self._bends_of(weights))
-        self.stance = stance_of(self.face, self.rig, expression, self._jaw_of(weights))
+        self.stance = stance_of(self.face, posture, self._jaw_of(weights))
         self._move_jaw()
         self._finish()
 
@@ -150,11 +154,6 @@ class Superposition:
         if self.basis.arc is None or self.linear:
             return np.zeros(0, dtype=np.float32)
         return self.basis.arc.bends(weights)
-
-    def _turns(self, expression: Expression) -> bool:
-        """Whether an expression turns eyes or head otherwise than they are turned now."""
-        rig, stance = self.rig, self.stance
-        return rig.gaze(expression) != stance.gaze or rig.bearing(expression) != stance.bearing
 
     def _add_up(self, weights: Float32Array, bends: Float32Array) -> None:
         before, now = np.concatenate([self._weights, self._bends]), np.concatenate([weights, bends])

@@ -88,7 +88,7 @@ class Contact:
             self._add(face, display, rows, [OnEyeball(eye, number, rest[rows])])
         else:
             rows, columns = lids
-            rules: list[Rule] = [Lids(columns, eye, rest[rows]), OnEyeball(eye, number, rest[rows])]
+            rules: list[Rule] = [Lids(columns, eye, number, rest[rows]), OnEyeball(eye, number, rest[rows])]
             self._add(face, display, rows, rules)
 
     def _add(self, face: Face, display: DisplaySurface, rows: IntArray, rules: Sequence[Rule]) -> None:

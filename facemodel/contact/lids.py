@@ -42,6 +42,7 @@ class Lids:
     ----------
     columns : of the slit between the lids
     eye : behind them
+    number : of the eye in its face
     rest : (n, 3) points of the site at rest
 
     Attributes
@@ -49,8 +50,8 @@ class Lids:
     columns : as given
     """
 
-    def __init__(self, columns: SlitColumns, eye: Eye, rest: Float32Array) -> None:
-        self.columns = columns
+    def __init__(self, columns: SlitColumns, eye: Eye, number: int, rest: Float32Array) -> None:
+        self.columns, self._number = columns, number
         self._radius = eye.radius
         self._open = columns.read(rest).gap
         self._wide = self._open >= MIDDLE * self._open.max()
@@ -62,7 +63,7 @@ class Lids:
         """Move the lids of posed points (n, 3), in place."""
         shut = _eased((self.closure(here) - CLOSING) / (CLOSED - CLOSING))
         edges = self.columns.read_ends(here)
-        way = self._bow * (self._radius * np.radians(stance.gaze.lift) * (1 - shut))
+        way = self._bow * (self._radius * np.radians(stance.posture.eyes[self._number][1]) * (1 - shut))
         followed = edges.gap + (UPPER_FOLLOWS - LOWER_FOLLOWS) * way
         # Lids that close stop where they meet; what rests in each other stays so.
         wanted = np.maximum(followed, -self._spared.columns) * np.where(followed > 0, 1 - shut, 1.0)

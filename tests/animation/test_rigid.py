@@ -6,12 +6,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from facemodel.animation.pulling import pulled
-from facemodel.animation.rigid import eye_motion, head_motion, head_pivot, turn
 from facemodel.cache import solve_cached
 from facemodel.face import Face
+from facemodel.kinematics import STILL, Rigid, Stance, neck_joint, rig_of, stance_of
 from facemodel.project import Project
 from facemodel.projects import new_project
 from facemodel.solution import Solution
+from facemodel.superposition import Superposition
 
 LEFT, UP, FORWARD = np.eye(3)
 
@@ -31,35 +32,56 @@ def solution(project: Project) -> Solution:
     return solve_cached(project)
 
 
-def test_yaw_is_to_the_left_pitch_up_and_roll_to_the_left_shoulder() -> None:
-    assert turn(30, 0) @ FORWARD @ LEFT == pytest.approx(0.5)
-    assert turn(0, 30) @ FORWARD @ UP == pytest.approx(0.5)
-    assert turn(0, 0, 30) @ UP @ LEFT == pytest.approx(0.5)
+def turned(face: Face, rigid: Rigid) -> Stance:
+    return stance_of(face, STILL.posture(face, {}, rigid), np.eye(4))
+
+
+def test_yaw_is_to_the_left_pitch_up_and_roll_to_the_left_shoulder(face: Face) -> None:
+    assert turned(face, {"head.yaw": 30.0}).head[:3, :3] @ FORWARD @ LEFT == pytest.approx(0.5)
+    assert turned(face, {"head.pitch": 30.0}).head[:3, :3] @ FORWARD @ UP == pytest.approx(0.5)
+    assert turned(face, {"head.roll": 30.0}).head[:3, :3] @ UP @ LEFT == pytest.approx(0.5)
 
 
 @given(st.floats(-80, 80), st.floats(-60, 60), st.floats(-50, 50))
 def test_a_turn_is_a_rotation(yaw: float, pitch: float, roll: float) -> None:
-    found = turn(yaw, pitch, roll)
+    found = turned(new_project().face, {"head.yaw": yaw, "head.pitch": pitch, "head.roll": roll}).head[:3, :3]
     assert found @ found.T == pytest.approx(np.eye(3), abs=1e-12)
     assert np.linalg.det(found) == pytest.approx(1.0)
 
 
 def test_a_head_turns_about_its_neck_and_shifts(face: Face) -> None:
-    motion = head_motion(face, {"head.yaw": 25.0, "head.pitch": -10.0, "head.x": 3.0, "head.z": -2.0})
-    pivot = head_pivot(face)
+    motion = turned(face, {"head.yaw": 25.0, "head.pitch": -10.0, "head.x": 3.0, "head.z": -2.0}).head
+    pivot = neck_joint(face)
     assert motion[:3, :3] @ pivot + motion[:3, 3] == pytest.approx(np.add(pivot, [3.0, 0.0, -2.0]))
-    assert np.array_equal(head_motion(face, {}), np.eye(4))
+    assert np.array_equal(turned(face, {}).head, np.eye(4))
     nose = face.skin.positions[face.landmarks["nose_tip"]]
-    nod = head_motion(face, {"head.pitch": -15.0})
+    nod = turned(face, {"head.pitch": -15.0}).head
     assert (nod[:3, :3] @ nose + nod[:3, 3])[1] < nose[1] - 15
 
 
 def test_an_eye_turns_about_its_centre(face: Face) -> None:
-    for eye in face.eyes:
-        motion = eye_motion(eye, {"eyeL.yaw": 20.0, "eyeR.pitch": 10.0})
+    eyes = turned(face, {"eyeL.yaw": 20.0, "eyeR.pitch": 10.0}).eyes
+    for eye, motion in zip(face.eyes, eyes, strict=True):
         assert motion[:3, :3] @ eye.centre + motion[:3, 3] == pytest.approx(eye.centre)
         looks = motion[:3, :3] @ FORWARD
         assert (looks[0] > 0.3, looks[1] > 0.1) == ((True, False) if eye.side == "L" else (False, True))
+
+
+def test_sliders_and_channels_turn_eyes_and_head_together(project: Project, face: Face) -> None:
+    rig = rig_of(project.units)
+    both = stance_of(face, rig.posture(face, {"61": 0.5, "53": 1.0}, {"eyeL.yaw": 5.0, "head.pitch": -10.0}), np.eye(4))
+    alone = turned(face, {"eyeL.yaw": 22.5, "eyeR.yaw": 17.5, "head.pitch": 20.0})
+    for one, other in zip((both.head, *both.eyes), (alone.head, *alone.eyes), strict=True):
+        assert one == pytest.approx(other, abs=1e-9)
+
+
+def test_lids_follow_an_eye_that_a_channel_turns(project: Project, solution: Solution) -> None:
+    still, turning = (Superposition(project.face, solution.basis) for _ in range(2))
+    turning.turned = {"eyeL.pitch": -30.0}
+    turning.pose({})
+    moved = np.flatnonzero(np.linalg.norm(turning.points - still.points, axis=1) > 1.0)
+    assert len(moved) > 0
+    assert (still.points[moved, 0] > 0).all(), "the other eye looks ahead"
 
 
 def corner(project: Project, solution: Solution) -> int:

@@ -127,7 +127,8 @@ def _material(kind: str) -> Material:
 
 def _nodes(project: Project, names: Sequence[str]) -> list[Node]:
     """A head as it is held, with the skin, a node for each eye that holds its layers, and the parts."""
-    held = stance_of(project.face, rig_of(project.units), project.expression, np.eye(4)).head
+    posture = rig_of(project.units).posture(project.face, project.expression)
+    held = stance_of(project.face, posture, np.eye(4)).head
     nodes = [Node(name=project.face.title, children=[])]
     if not np.array_equal(held, np.eye(4)):
         nodes[0].rotation = Rotation.from_matrix(held[:3, :3]).as_quat().tolist()
