@@ -86,7 +86,8 @@ def test_a_script_shifts_the_jaw_and_checks_the_superposition(solved: Document) 
     assert solved.project.units[-1].jaw == JawMotion(10.0, 1.0, -4.0)
     solved.undo()
     largest, rms = eval_pair(ran(solved, "au(26).weight = 0.5\nprint(check_superposition())"))
-    assert largest > rms > 0.01
+    # The skin follows the arc of the jaw, and nothing touches.
+    assert 0 < rms <= largest < 1e-4
 
 
 def eval_pair(text: str) -> tuple[float, float]:
