@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 from facemodel.errors import SkullError
 from facemodel.face import Pose, Skull
@@ -117,12 +118,18 @@ def has_template(project: Project) -> bool:
         return False
 
 
+@lru_cache(maxsize=1)
+def _shipped_skull(key: str) -> Skull:
+    """Kept, because menus ask again and again whether there is one to go back to."""
+    return load_face(key).skull
+
+
 def template_of(project: Project) -> Skull:
     """The skull that the face of a project is shipped with; raises as `at_template` does."""
     face = project.face
     if face.key not in face_keys():
         raise SkullError(f"The face “{face.title}” is none of the shipped ones, so there is no skull to go back to.")
-    skull = load_face(face.key).skull
+    skull = _shipped_skull(face.key)
     if len(skull.anchors) != len(face.skin.positions):
         raise SkullError(f"The skin of “{face.title}” is no longer the shipped one, so its skull would not fit.")
     return skull

@@ -19,6 +19,7 @@ from ui.portraits import Portraits
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
 from ui.widgets.collapsible import Collapsible
+from ui.widgets.paced import Paced
 
 WIDTH = 43 * GRID
 """Wide enough for the longest name of a unit beside its number."""
@@ -65,6 +66,7 @@ class ExpressionPanel(QWidget):
         self.rows: dict[int, UnitRow] = {}
         self.groups: dict[str, Collapsible] = {}
         self._folded: frozenset[str] = frozenset()
+        self.pace = Paced(self.show_expression, self)
         self.search = SearchLine()
         self.link = _tool("link-variant", "Move left and right together", view.state.linked)
         self.reset = _tool("restore", "Relax the whole face (0)")
@@ -132,7 +134,7 @@ class ExpressionPanel(QWidget):
         self._document.muscles_changed.connect(self._follow_units)
         self._document.emotions_changed.connect(lambda _names: self.emotions.show_project(self._document.project))
         self._document.corrections_changed.connect(self._mark_sculpted)
-        self._document.expression_changed.connect(self.show_expression)
+        self._document.expression_changed.connect(self.pace.offer)
         self._view.changed.connect(self._show_view)
         self.search.textChanged.connect(self._filter)
         self.search.left.connect(self._go_to_first)

@@ -19,6 +19,7 @@ from ui.timeline.paint.heads import VALUE, HeadLook, fold_area, paint_head, swit
 from ui.timeline.row_layout import Placed
 from ui.timeline.view import TimelineView
 from ui.widgets.number_edit import NumberEdit
+from ui.widgets.paced import Paced
 
 Keys = Qt.KeyboardModifier
 
@@ -51,8 +52,10 @@ class Heads(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         for signal in (view.moved, view.relaid, view.content):
             signal.connect(self.update)
-        self._timeline.playhead.moved.connect(self._revalue)
-        self._timeline.document.expression_changed.connect(self._revalue)
+        self._pace = Paced(self._revalue, self)
+        self._timeline.playhead.moved.connect(self._pace.offer)
+        self._timeline.document.expression_changed.connect(self._pace.offer)
+        self._timeline.playhead.playing_changed.connect(self._pace.be_slow)
 
     def sizeHint(self) -> QSize:
         """Room for the name of a unit, its value and its switches."""

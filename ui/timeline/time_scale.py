@@ -14,6 +14,9 @@ SPARSEST, DENSEST = 0.5, 12_000.0
 EARLIEST = -2.0
 """Seconds before the start of the clip that can still be seen."""
 
+AIR = 28.0
+"""Pixels on either side of what is brought into view: half a portrait of a key expression and a little more."""
+
 LABEL_ROOM = 84
 """Pixels that a label of the ruler needs."""
 
@@ -63,8 +66,8 @@ class TimeScale:
 
 def fitted(start: float, end: float, width: float, margin: float = 0.04) -> TimeScale:
     """The scale that shows a stretch of time in so many pixels, with some air around it."""
-    length = max(end - start, 1e-3) * (1.0 + 2.0 * margin)
-    per_second = min(max(width / length, SPARSEST), DENSEST)
+    room = max(width - 2.0 * max(margin * width, AIR), 1.0)
+    per_second = min(max(room / max(end - start, 1e-3), SPARSEST), DENSEST)
     return TimeScale((start + end) / 2.0 - width / per_second / 2.0, per_second).held()
 
 

@@ -105,7 +105,7 @@ def with_expression(
     moving = {channel for channel, value in shown.items() if value != 0}
     here = set(expression_channels(animation, time))
     for each in others:
-        fresh = {channel: _stands(animation, channel, each.time) for channel in moving - known - here}
+        fresh = {channel: _stands(animation, channel, each.time) for channel in sorted(moving - known - here)}
         animation = keyed(animation, each.time, fresh, units, spacing)
     wanted = {channel: shown.get(channel, 0.0) for channel in sorted(known | moving | here)}
     animation = keyed(animation, time, wanted, units, spacing)
