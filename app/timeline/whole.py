@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from app.timeline.chosen import times_of
 from app.timeline.keying import chosen_channels
@@ -69,6 +69,7 @@ class Operation:
     parameters : what can be chosen
     change : makes another track of one
     asks_span : whether a stretch of time matters
+    ends : where the stretch ends then, if it does not end where it did
     """
 
     key: str
@@ -77,6 +78,7 @@ class Operation:
     parameters: tuple[Parameter, ...]
     change: Callable[[Track, Values, Target], Track]
     asks_span: bool = False
+    ends: Callable[[Values, Target], float] | None = None
 
     @property
     def usual(self) -> dict[str, float]:
@@ -84,13 +86,19 @@ class Operation:
         return {each.name: each.usual for each in self.parameters}
 
     def apply(self, animation: Animation, values: Values, target: Target) -> Animation:
-        """An animation with the tracks changed; locked ones and empty ones stay."""
+        """An animation with the tracks changed; locked ones and empty ones stay.
+
+        What is played goes on to the end of a stretch that ended with it.
+        """
 
         def change(track: Track) -> Track:
             empty = not len(track.curve) and track.captured is None
             return track if empty else self.change(track, values, target)
 
-        return dense.each_track(animation, target.channels, change)
+        made = dense.each_track(animation, target.channels, change)
+        if self.ends is None or made is animation or target.span[1] < animation.end:
+            return made
+        return replace(made, end=max(self.ends(values, target), animation.end))
 
 
 def target_of(timeline: Timeline) -> Target:
@@ -108,6 +116,12 @@ def _warp(track: Track, values: Values, target: Target) -> Track:
     middle, length = (begin + end) / 2, (end - begin) * values["stretch"]
     leaning = begin + length * (0.5 + LEAN * values["lean"])
     return dense.warped(track, (begin, middle, end), (begin, leaning, begin + length))
+
+
+def _after(target: Target, times: float) -> float:
+    """The end of a stretch that takes so many times as long."""
+    begin, end = target.span
+    return begin + times * (end - begin)
 
 
 def _loop(track: Track, values: Values, target: Target) -> Track:
@@ -158,6 +172,7 @@ OPERATIONS: Mapping[str, Operation] = {
             ),
             _warp,
             asks_span=True,
+            ends=lambda values, target: _after(target, values["stretch"]),
         ),
         Operation(
             "offset",
@@ -179,6 +194,7 @@ OPERATIONS: Mapping[str, Operation] = {
             ),
             _loop,
             asks_span=True,
+            ends=lambda values, target: _after(target, round(values["times"])),
         ),
     )
 }

@@ -135,3 +135,9 @@ def test_baking_layers_leaves_the_curve_that_is_seen() -> None:
     assert made.captured is not None
     assert made.layers == ()
     assert dense.own_values(made, made.captured.times) == pytest.approx(dense.own_values(track, made.captured.times))
+
+
+def test_simplifying_never_adds_keys() -> None:
+    curve = curve_of([Key(0.5, 0.0), Key(1.0, 0.8), Key(2.0, 0.2, "linear"), Key(3.0, 0.6)])
+    track = Track("12L", curve)
+    assert dense.simplified(track, 0.001) is track

@@ -222,7 +222,7 @@ def test_what_is_done_to_curves_leaves_locked_ones(timeline: Timeline, key: str)
     values_of = {**operation.usual, **({"seconds": 0.3} if key == "offset" else {})}
     made = operation.apply(timeline.animation, values_of, target_of(timeline))
     assert made.track("20L") is timeline.animation.track("20L")
-    assert made.track("12L") is not timeline.animation.track("12L")
+    assert made.track("26") is not timeline.animation.track("26")
 
 
 def test_curves_are_meant_by_chosen_tracks_then_keys_then_all(timeline: Timeline) -> None:
@@ -247,3 +247,12 @@ def test_things_come_to_rest_on_the_nearest_place_within_reach(timeline: Timelin
     assert found.time(0.51, 0.05) == pytest.approx(0.5, abs=1 / 60)
     assert found.time(3.306, 0.001) == pytest.approx(99 / 30)
     assert FREE.time(0.123, 1.0) == 0.123
+
+
+def test_what_is_played_goes_on_while_a_stretch_is_repeated_to_its_end(timeline: Timeline) -> None:
+    operation = OPERATIONS["loop"]
+    made = operation.apply(timeline.animation, {"times": 3.0, "blend": 0.0}, target_of(timeline))
+    assert made.end == 3 * timeline.animation.end
+    timeline.choose(Chosen({("12L", 0): (0, 2)}))
+    part = operation.apply(timeline.animation, {"times": 2.0, "blend": 0.0}, target_of(timeline))
+    assert part.end == timeline.animation.end

@@ -66,7 +66,8 @@ class NumberScale:
     def text(self, value: float) -> str:
         """The number with its unit."""
         space = "" if self.unit in ("", "°") else " "
-        return f"{value:.{self.decimals}f}{space}{self.unit}"
+        # The sum turns what would be written “-0.00” into zero.
+        return f"{round(value, self.decimals) + 0.0:.{self.decimals}f}{space}{self.unit}"
 
     def stepped(self, value: float, key: int, modifiers: Modifier) -> float | None:
         """The value that a key asks for; none where it asks for none."""

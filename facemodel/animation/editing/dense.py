@@ -55,7 +55,10 @@ def baked_to_keys(track: Track, rate: float, span: Span | None = None, shape: Sh
 
 
 def simplified(track: Track, tolerance: float, rate: float = 60.0) -> Track:
-    """A track of as few smooth keys as stay within a tolerance of what it was, at every sample or frame of a rate."""
+    """A track of as few smooth keys as stay within a tolerance of what it was, at every sample or frame of a rate.
+
+    Keys that no fewer smooth ones can stand for stay as they are.
+    """
     begin, end = extent(track)
     if track.captured is not None and not len(track.curve):
         times = track.captured.times
@@ -64,6 +67,8 @@ def simplified(track: Track, tolerance: float, rate: float = 60.0) -> Track:
     if not len(times):
         return track
     kept = _needed(times, own_values(track, times), max(tolerance, 0.0))
+    if track.captured is None and len(kept) >= len(track.curve):
+        return track
     return replace(track, captured=None, layers=(), curve=replace(kept, overshoot=track.curve.overshoot))
 
 

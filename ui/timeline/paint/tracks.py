@@ -30,14 +30,17 @@ MOST_KEYS = 0.25
 
 
 def track_run(track: Track, times: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Lowest and highest value (n,) of a track between times (n + 1,)."""
+    """Lowest and highest value (n,) of a track between times (n + 1,); where samples lie farther apart, what it has there."""
     centres = (times[:-1] + times[1:]) / 2
     keyed = values_of(track.curve, centres)
     samples = track.captured
     if samples is None or not len(samples.values):
         return keyed, keyed
-    low, high = envelope(samples).between((times - samples.start) * samples.rate)
     bent = keyed + Splines([displacement(track)]).at(centres)[:, 0]
+    if samples.rate * (times[-1] - times[0]) < len(centres):
+        bent = bent + samples.at(centres)
+        return bent, bent
+    low, high = envelope(samples).between((times - samples.start) * samples.rate)
     return low + bent, high + bent
 
 
