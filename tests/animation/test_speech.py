@@ -117,6 +117,11 @@ def test_every_english_sound_is_seen(symbol: str) -> None:
         assert editing.unknown_symbols(Speech((Phoneme(stressed, 0, 1),))) == ()
 
 
+@pytest.mark.parametrize("symbol", ["əl", "ˈɪɹ", "ˈoːɹ", "aɪɚ", "ˈʊə"])
+def test_sounds_that_are_written_as_one_are_seen_as_what_they_are_made_of(symbol: str) -> None:
+    assert editing.unknown_symbols(Speech((Phoneme(symbol, 0, 1),))) == ()
+
+
 def test_symbols_are_found_without_their_marks() -> None:
     assert plain("ˈiː") == "i"
     assert plain("AH0") == "AH"

@@ -100,10 +100,12 @@ QScrollBar::handle:hover { background: $muted; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 
+QTableView::indicator { width: 12px; height: 12px; border: 1px solid $muted; border-radius: 2px; background: $raised; }
+QTableView::indicator:checked { background: $accent; border-color: $accent; }
 QListView, QTreeView, QTableView { background: $panel; border: none; outline: none; }
 QListView::item { min-height: ${row}px; padding: 0 8px; }
 QListView::item:hover { background: $hover; }
-QListView::item:selected { background: $chosen; color: $text; }
+QListView::item:selected, QTableView::item:selected { background: $chosen; color: $text; }
 QHeaderView::section { background: $panel; color: $muted; border: none; padding: 4px 8px; }
 
 QLabel[role="muted"] { color: $muted; }

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
@@ -77,6 +78,12 @@ class MappingPage(QDialog):
         own = self.table.mapping
         return Mapping(own.name, own.rows, self.smoothing.value)
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Stand at the right, so that the face can be seen to move."""
+        super().showEvent(event)
+        home = self.parentWidget().window().frameGeometry()
+        self.move(home.right() - self.width() - 2 * GRID, home.center().y() - self.height() // 2)
+
     def preview(self) -> None:
         """Show what the capture looks like on this face."""
         self._timer.stop()
@@ -130,9 +137,6 @@ class MappingPage(QDialog):
         frames = f"{len(capture.values):,} frames at {capture.rate:g} a second, {seconds}"
         about = QLabel(f"{KIND_TITLES[capture.kind]} · {len(capture.channels)} channels · {frames}")
         about.setProperty("role", "muted")
-        noted = QLabel("\n".join(capture.notes))
-        noted.setWordWrap(True)
-        noted.setVisible(bool(capture.notes))
         self.name.setText(self.table.mapping.name)
         self.notes.setWordWrap(True)
         self.notes.setProperty("role", "muted")
@@ -140,7 +144,7 @@ class MappingPage(QDialog):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(3 * GRID, 2 * GRID, 3 * GRID, 2 * GRID)
         layout.setSpacing(GRID)
-        for widget in (title, about, noted):
+        for widget in (title, about):
             layout.addWidget(widget)
         layout.addLayout(self._tools())
         layout.addWidget(self.view, 1)
@@ -186,6 +190,7 @@ class MappingPage(QDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.take_in = buttons.addButton("Import", QDialogButtonBox.ButtonRole.AcceptRole)
         self.take_in.setDefault(True)
+        self.take_in.setFocus()
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         return buttons

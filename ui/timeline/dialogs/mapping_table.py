@@ -27,6 +27,9 @@ TIPS = (
     "Take the median off before: for a head whose camera was not straight ahead",
 )
 
+NUMBERS = (2, 3, 4)
+"""Columns that are read from their right."""
+
 
 class MappingTable(QAbstractTableModel):
     """The rows of a mapping.
@@ -86,6 +89,9 @@ class MappingTable(QAbstractTableModel):
                 return HEADINGS[section]
             if role == Role.ToolTipRole:
                 return TIPS[section]
+            if role == Role.TextAlignmentRole:
+                side = Qt.AlignmentFlag.AlignRight if section in NUMBERS else Qt.AlignmentFlag.AlignLeft
+                return side | Qt.AlignmentFlag.AlignVCenter
         return None
 
     def flags(self, index: QModelIndex) -> Qt.ItemFlag:
@@ -102,7 +108,7 @@ class MappingTable(QAbstractTableModel):
             return Qt.CheckState.Checked if row.centred else Qt.CheckState.Unchecked
         if role == Role.ForegroundRole:
             return self._colour(row, column)
-        if role == Role.TextAlignmentRole and column in (2, 3, 4):
+        if role == Role.TextAlignmentRole and column in NUMBERS:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Role.ToolTipRole and column < 2:
             return self._complaint(row, column)

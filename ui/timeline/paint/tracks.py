@@ -30,7 +30,7 @@ MOST_KEYS = 0.25
 
 
 def track_run(track: Track, times: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Lowest and highest value (n,) of a track between times (n + 1,); where samples lie farther apart, what it has there."""
+    """Lowest and highest value (n,) of a track between times (n + 1,), or its value where samples lie wider apart."""
     centres = (times[:-1] + times[1:]) / 2
     keyed = values_of(track.curve, centres)
     samples = track.captured
