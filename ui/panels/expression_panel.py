@@ -66,7 +66,8 @@ class ExpressionPanel(QWidget):
         self.rows: dict[int, UnitRow] = {}
         self.groups: dict[str, Collapsible] = {}
         self._folded: frozenset[str] = frozenset()
-        self.pace = Paced(self.show_expression, self)
+        self._pace = Paced(self.show_expression, self)
+        self._own = document.project.expression
         self.search = SearchLine()
         self.link = _tool("link-variant", "Move left and right together", view.state.linked)
         self.reset = _tool("restore", "Relax the whole face (0)")
@@ -134,12 +135,18 @@ class ExpressionPanel(QWidget):
         self._document.muscles_changed.connect(self._follow_units)
         self._document.emotions_changed.connect(lambda _names: self.emotions.show_project(self._document.project))
         self._document.corrections_changed.connect(self._mark_sculpted)
-        self._document.expression_changed.connect(self.pace.offer)
+        self._document.expression_changed.connect(self._follow)
         self._view.changed.connect(self._show_view)
         self.search.textChanged.connect(self._filter)
         self.search.left.connect(self._go_to_first)
         self.link.clicked.connect(lambda on: self._view.change(linked=on))
         self.reset.clicked.connect(lambda: self._document.reset_expression())
+
+    def _follow(self, expression: Expression) -> None:
+        """What people set is seen at once; what a playhead shows, as often as it can be read."""
+        before, self._own = self._own, self._document.project.expression
+        set_by_hand = self._document.held or self._own is not before
+        (self._pace.hurry if set_by_hand else self._pace.offer)(expression)
 
     def _follow_units(self, _changed: object) -> None:
         """Rows stay where only what units are made of is other than before."""

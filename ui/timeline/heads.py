@@ -55,7 +55,6 @@ class Heads(QWidget):
         self._pace = Paced(self._revalue, self)
         self._timeline.playhead.moved.connect(self._pace.offer)
         self._timeline.document.expression_changed.connect(self._pace.offer)
-        self._timeline.playhead.playing_changed.connect(self._pace.be_slow)
 
     def sizeHint(self) -> QSize:
         """Room for the name of a unit, its value and its switches."""

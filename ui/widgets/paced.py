@@ -12,7 +12,7 @@ PACE = 125
 
 
 class Paced(QObject):
-    """Hands values on: each at once, or while it is slow the newest of those that came.
+    """Hands values on: the first at once, and of those that come soon after it the newest.
 
     Parameters
     ----------
@@ -23,27 +23,24 @@ class Paced(QObject):
     def __init__(self, show: Callable[[Any], None], parent: QObject) -> None:
         super().__init__(parent)
         self._show = show
-        self._slow = False
         self._waiting: tuple[Any, ...] = ()
         self._timer = QTimer(self, singleShot=True, interval=PACE)
         self._timer.timeout.connect(self._hand_on)
 
     def offer(self, value: Any) -> None:
-        """Show it, now or soon; nothing of what came before is shown any more."""
+        """Show it now or soon."""
         self._waiting = (value,)
         if not self._timer.isActive():
             self._hand_on()
 
-    def be_slow(self, slow: bool) -> None:
-        """Begin to leave values out, or show the newest and leave out none any more."""
-        self._slow = slow
-        if not slow:
-            self._timer.stop()
-            self._hand_on()
+    def hurry(self, value: Any) -> None:
+        """Show it now, and nothing of what came before any more."""
+        self._timer.stop()
+        self._waiting = ()
+        self._show(value)
 
     def _hand_on(self) -> None:
         waiting, self._waiting = self._waiting, ()
         if waiting:
             self._show(*waiting)
-            if self._slow:
-                self._timer.start()
+            self._timer.start()

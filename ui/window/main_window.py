@@ -202,7 +202,6 @@ class MainWindow(QMainWindow):
         document.expression_changed.connect(lambda _now: self._advise())
         bench.sight.pointed_changed.connect(self.viewport.name_muscle)
         self.expression.folds_changed.connect(self._note_folds)
-        self.span.timeline.playhead.playing_changed.connect(self.expression.pace.be_slow)
         self.expression.muscles_hovered.connect(self.viewport.glow)
         self.viewport.muscle_hovered.connect(self._name_muscle)
         self.timeline.advised.connect(lambda text: self.status.show_hint(text) if text else self._advise())
