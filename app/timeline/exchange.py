@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
@@ -32,6 +32,9 @@ from facemodel.solve import Progress
 Deed = Callable[[Context], None]
 
 IMPORT = ("File", "Import")
+
+SOUND = (".wav", ".wave")
+"""Suffixes of sounds."""
 
 
 class Asks(Protocol):
@@ -81,6 +84,15 @@ class Exchange:
         self.job.finished.connect(lambda found, errand: errand.then(found))
         self.job.failed.connect(self._fail)
 
+    @property
+    def openers(self) -> Mapping[str, Callable[[Path], None]]:
+        """What reads files without asking for one, by their endings."""
+        return {
+            **dict.fromkeys(SPEECH, self.read_speech),
+            **dict.fromkeys(WEIGHTS, self.read_capture),
+            **dict.fromkeys(SOUND, self.read_sound),
+        }
+
     def import_capture(self) -> None:
         """Ask for a file with weights over time, read it, and show how it becomes weights of this face."""
         path = self._asked("Import weights over time", "Weights over time", WEIGHTS)
@@ -96,12 +108,16 @@ class Exchange:
         """Ask for a file with phonemes, and say them from the playhead on."""
         path = self._asked("Import phonemes", "Phonemes over time", SPEECH)
         if path is not None:
-            rate = self._timeline.rate
-            self._begin(f"Reading {path.name}", lambda: read_speech(path, rate), self._say)
+            self.read_speech(path)
+
+    def read_speech(self, path: Path) -> None:
+        """Read a file with phonemes, and say them from the playhead on."""
+        rate = self._timeline.rate
+        self._begin(f"Reading {path.name}", lambda: read_speech(path, rate), self._say)
 
     def import_sound(self) -> None:
         """Ask for a sound that plays along."""
-        path = self._asked("Import sound", "WAV sound", (".wav", ".wave"))
+        path = self._asked("Import sound", "WAV sound", SOUND)
         if path is not None:
             self.read_sound(path)
 

@@ -34,13 +34,13 @@ from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
 from ui.window.delivery import UiThread
 from ui.window.dock import Dock
+from ui.window.file_drops import FileDrops
 from ui.window.first_hints import FirstHints
 from ui.window.host import WindowHost
 from ui.window.layout import Layout, layout_from, layout_text
 from ui.window.menus import fill_menus
 from ui.window.palette_entries import palette_entries
 from ui.window.preparation import Preparation
-from ui.window.project_drops import ProjectDrops
 from ui.window.solve_progress import SolveProgress
 from ui.window.status_line import StatusLine
 from ui.window.tool_strip import ToolStrip
@@ -185,7 +185,7 @@ class MainWindow(QMainWindow):
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
 
     def _connect(self) -> None:
-        ProjectDrops(self, self.context)
+        FileDrops(self, self.context, self.timeline.exchange.openers)
         document = self.context.document
         document.saved_changed.connect(self._retitle)
         document.project_changed.connect(self._retitle)

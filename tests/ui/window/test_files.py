@@ -8,6 +8,8 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
+from facemodel.animation.sound import Sound
+from facemodel.io.audio import write_sound
 from facemodel.io.project_file import load_project, save_project
 from tests.ui.hands import drag
 from tests.ui.window.seen import differs, picture
@@ -64,6 +66,24 @@ def test_a_dropped_project_is_opened_and_recent(window, document, file):
     assert window.context.settings.preferences.recent == (file,)
     QApplication.processEvents()
     assert any(action.id == "file.recent.0" for action in window.binding.actions)
+
+
+def test_a_dropped_sound_plays_along_from_the_playhead_on(window, document, tmp_path, qtbot):
+    file = tmp_path / "Line.WAV"
+    write_sound(Sound(np.zeros((4000, 1), np.float32), 8000), file)
+    window.span.timeline.playhead.go(0.5)
+    assert drop(window, file)
+    qtbot.waitUntil(lambda: document.project.animation.audio is not None)
+    assert document.project.animation.audio.start == 0.5
+    document.undo()
+    assert document.project.animation.audio is None
+
+
+def test_a_dropped_table_of_phonemes_is_said(window, document, tmp_path, qtbot):
+    file = tmp_path / "line.tsv"
+    file.write_text("0.00\tX\n0.10\tA\n0.30\tX\n")
+    assert drop(window, file)
+    qtbot.waitUntil(lambda: len(document.project.animation.speech.phonemes) > 0)
 
 
 def test_anything_else_is_not_welcome(window, document, tmp_path):
