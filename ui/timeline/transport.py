@@ -17,6 +17,13 @@ from ui.window.action_binding import ActionBinding
 SNAPS: tuple[tuple[SnapTarget, str], ...] = (("frames", "Frames"), ("keys", "Keys"), ("markers", "Markers and ranges"))
 
 GOING = ("timeline.start", "timeline.key-back", "timeline.play", "timeline.key-on", "timeline.end", "timeline.loop")
+ADDING = (
+    "timeline.import-sound",
+    "timeline.type-speech",
+    "timeline.idle",
+    "timeline.marker",
+    "timeline.range",
+)
 SETTING = ("timeline.key", "timeline.auto-key")
 
 
@@ -44,7 +51,7 @@ class Transport(QWidget):
         self._is_folded = True
         self.time = TimeField(timeline)
         self.rate = RateButton(timeline)
-        self.add = _menu_button("plus", "Add a dynamic expression, a marker, idle life")
+        self.add = _menu_button("plus", "Add an expression that moves, a sound, speech, idle life, marks")
         self.snap = _menu_button("magnet", "What moved things snap to")
         self.fields = _button("tune-variant", "Fields about what is chosen")
         self.fields.setCheckable(True)
@@ -143,8 +150,9 @@ class Transport(QWidget):
         inner = menu.addMenu("Dynamic expression")
         self._put(inner, "timeline.drop.")
         menu.addSeparator()
-        for key in ("timeline.marker", "timeline.range", "timeline.idle"):
-            menu.addAction(self._binding.qt[key])
+        for key in ADDING:
+            if key in self._binding.qt:
+                menu.addAction(self._binding.qt[key])
         snap = self.snap.menu()
         snap.clear()
         for target, title in SNAPS:
