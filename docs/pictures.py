@@ -8,28 +8,36 @@ from __future__ import annotations
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
+import numpy as np
 from PIL import Image, ImageGrab
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.document import Document
 from app.settings import UserSettings
-from docs.first_face import Hand, walk
+from docs.first_face import Hand, walk, workspace
 from facemodel.cache import solve_cached
 from facemodel.io.project_file import save_project
 from facemodel.projects import new_project
 from ui.launch import main as risorius
+from ui.panels.actions.panel import EXPRESSIONS, ActionsPanel
+from ui.panels.muscles.comparison.window import ComparisonWindow
+from ui.panels.muscles.deeds import compare
 from ui.window.editor import make_window
 from ui.window.main import follow_theme, make_application
-from ui.window.main_window import MainWindow
 from ui.window.preparation import Preparation
 
 IMAGES = Path(__file__).parent / "images"
 SIZE = (1440, 900)
 STILL = 3.0
 """Seconds after which a face that does not move has been drawn with smooth edges."""
+
+PORTRAITS = 8.0
+"""Seconds after which all portraits have been taken in idle moments."""
 
 MUSCLE = "zygomaticus_major_L"
 """The muscle that is selected in the picture of the Muscles workspace."""
@@ -59,7 +67,7 @@ def rest(app: QApplication) -> None:
     wait(app, lambda: time.monotonic() > end)
 
 
-def photograph(window: MainWindow, name: str) -> None:
+def photograph(window: QWidget, name: str) -> None:
     """Keep what the screen shows of a window."""
     corner = window.mapToGlobal(window.rect().topLeft())
     box = (corner.x(), corner.y(), corner.x() + window.width(), corner.y() + window.height())
@@ -91,8 +99,9 @@ def editor(theme: str, emotion: str, name: str, workspaces: tuple[str, ...] = ()
         window.close()
 
 
-def first_face() -> None:
-    """Photograph the way from a bare head to a face that smiles, raises its brows and opens its jaw."""
+@contextmanager
+def opened() -> Iterator[Hand]:
+    """A hand on the editor, as it opens for the first time."""
     app = make_application()
     with tempfile.TemporaryDirectory() as folder:
         settings = UserSettings(Path(folder) / "preferences.json")
@@ -109,10 +118,58 @@ def first_face() -> None:
             rest(app)
             photograph(window, name)
 
-        walk(Hand(window, keep))
-        document.reset_expression()
-        document.save(Path(folder) / "first.risorius")
+        yield Hand(window, keep)
+        document.save(Path(folder) / "done.risorius")
         window.close()
+
+
+def first_face() -> None:
+    """Photograph the way from a bare head to a face that smiles, raises its brows and opens its jaw."""
+    with opened() as hand:
+        walk(hand)
+
+
+def models() -> None:
+    """Photograph the models of a muscle side by side."""
+    with opened() as hand:
+        workspace(hand, "Muscles")
+        hand.window.context.view.change(muscle=MUSCLE)
+        compare(hand.window.context)
+        shown = next(each for each in QApplication.topLevelWidgets() if isinstance(each, ComparisonWindow))
+        hand.wait(lambda: all(card.has_picture for card in shown.cards.values()))
+        shown.move(0, 0)
+        hand.rest(STILL)
+        photograph(shown, "models")
+        shown.close()
+
+
+def sculpting() -> None:
+    """Photograph a stroke that pulls the corner of a smiling mouth, and the pad that blends emotions."""
+    with opened() as hand:
+        document, view = hand.window.context.document, hand.window.context.view
+        document.set_weights({"12": 0.8})
+        workspace(hand, "Actions")
+        view.change(unit=12)
+        hand.take("sculpt")
+        face, posed = document.project.face, hand.window.viewport.scene.figure.posed
+        at_rest = face.skin.positions[face.landmarks["mouth_corner_L"]]
+        nearest = np.linalg.norm(posed.basis.display.points - at_rest, axis=1).argmin()
+        corner = hand.pixel(posed.points[nearest])
+        hand.drag(hand.window.viewport.canvas, corner, corner + QPoint(12, -10))
+        hand.photograph("sculpting")
+
+
+def pad() -> None:
+    """Photograph the pad, with the seven emotions on a circle and a face between them."""
+    with opened() as hand:
+        workspace(hand, "Actions")
+        actions = hand.window.findChild(ActionsPanel)
+        hand.click(actions.tabs.tabBar(), actions.tabs.tabBar().tabRect(EXPRESSIONS).center())
+        hand.click(actions.blend.arrange)
+        hand.rest(PORTRAITS)
+        area = actions.blend.pad
+        hand.drag(area, area.spot((0.5, 0.5)).toPoint(), area.spot((0.58, 0.86)).toPoint())
+        hand.photograph("pad")
 
 
 def plates() -> None:
@@ -138,4 +195,5 @@ if __name__ == "__main__":
     plates()
     editor("dark", "happiness", "editor", ("actions", "muscles", "skull", "tissue"))
     editor("light", "surprise", "editor-light")
-    first_face()
+    for taken in (first_face, models, sculpting, pad):
+        taken()
