@@ -86,13 +86,13 @@ def in_full(project: Project, expression: Expression, progress: Progress = silen
 
 
 def compared(project: Project, expression: Expression, basis: Basis, whole: Basis) -> Comparison:
-    """Compare the superposed fields of a basis, as they are drawn, with the solution of the summed loads.
+    """Compare the superposed fields of a basis, before contact, with the solution of the summed loads.
 
     Parameters
     ----------
     whole : as `in_full` gives it, sampled on the same display surface
     """
-    superposed = Superposition(project.face, basis)
+    superposed = Superposition(project.face, basis, contact=False)
     superposed.pose(expression)
     full = Superposition(project.face, whole, contact=False)
     full.pose({str(WHOLE): 1.0})
