@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from facemodel.errors import UnknownNameError
-from facemodel.motions import EyeMotion, HeadMotion
+from facemodel.motions import EyeMotion, HeadMotion, TongueMotion
 
 Side = Literal["L", "R"]
 Group = Literal["upper", "horizontal", "vertical", "diagonal", "orbital", "jaw", "eyes", "head"]
@@ -66,7 +66,7 @@ class JawMotion:
 
 @dataclass(frozen=True)
 class ActionUnit:
-    """A weighted sum of muscle activations, and what it does to jaw, eyes and head.
+    """A weighted sum of muscle activations, and what it does to jaw, eyes, head and tongue.
 
     Attributes
     ----------
@@ -82,6 +82,7 @@ class ActionUnit:
     letters : the weights at which the intensities A, B, C, D and E of FACS begin, in increasing order
     eyes : how the eyes turn
     head : how the head moves
+    tongue : how the tongue moves
     """
 
     number: int
@@ -96,6 +97,7 @@ class ActionUnit:
     letters: tuple[float, ...] = LETTERS
     eyes: EyeMotion | None = None
     head: HeadMotion | None = None
+    tongue: TongueMotion | None = None
 
     @property
     def fields(self) -> tuple[str, ...]:
@@ -114,8 +116,8 @@ class ActionUnit:
 
     @property
     def moves_skin(self) -> bool:
-        """Whether it has displacement fields: one that only turns eyes or head has none to be solved."""
-        return bool(self.muscles) or self.jaw is not None or not (self.eyes or self.head)
+        """Whether it has displacement fields: one that only moves eyes, head or tongue has none to be solved."""
+        return bool(self.muscles) or self.jaw is not None or not (self.eyes or self.head or self.tongue)
 
     def jaw_of(self, field_name: str) -> JawMotion | None:
         """What one of its fields does to the mandible: the right one of a pair is the mirror image of the left one."""

@@ -1,4 +1,4 @@
-"""Eyes and head of a pose: rigid motions, summed over the action units and the channels that ask for them."""
+"""Eyes, head and tongue of a pose: motions, summed over the action units and the channels that ask for them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from facemodel.actions import ActionUnit, Expression
 from facemodel.face import Eye, Face
 from facemodel.jaw.motion import hinge_frame
-from facemodel.motions import EyeMotion, HeadMotion
+from facemodel.motions import EyeMotion, HeadMotion, TongueMotion
 from fem.types import FloatArray
 
 WIDEST_TURN = 50.0
@@ -33,41 +33,46 @@ NO_TURN: Rigid = MappingProxyType({})
 
 @dataclass(frozen=True)
 class Posture:
-    """How eyes and head are held, in all.
+    """How eyes, head and tongue are held, in all.
 
     Attributes
     ----------
     eyes : of the face, in its order: degrees to the subject's left and upwards
     head : its turns, and how far it is forward
     shift : millimetres by which it goes to the subject's left, up and forward besides
+    tongue : how far it is out
     """
 
     eyes: tuple[tuple[float, float], ...]
     head: HeadMotion
     shift: tuple[float, float, float]
+    tongue: TongueMotion
 
 
 @dataclass(frozen=True, eq=False)
 class Rig:
-    """What sliders do to eyes and head.
+    """What sliders do to eyes, head and tongue.
 
     Attributes
     ----------
     eyes : by field name, at activation 1
     head : by field name, at activation 1
+    tongue : by field name, at activation 1
     """
 
     eyes: dict[str, EyeMotion]
     head: dict[str, HeadMotion]
+    tongue: dict[str, TongueMotion]
 
     def posture(self, face: Face, expression: Expression, rigid: Rigid = NO_TURN) -> Posture:
         """How eyes and head are held in an expression, and by channels beside it."""
         gaze = EyeMotion(*_summed(expression, self.eyes, 3))
         held = HeadMotion(*_summed(expression, self.head, 4))
+        tongue = TongueMotion(*_summed(expression, self.tongue, 2))
         yaw, pitch, roll = (rigid.get(f"head.{name}", 0.0) for name in ("yaw", "pitch", "roll"))
         across, up, forward = (rigid.get(f"head.{axis}", 0.0) for axis in "xyz")
         head = replace(held, turn=held.turn + yaw, lift=held.lift + pitch, tilt=held.tilt + roll)
-        return Posture(tuple(_look(eye, gaze, rigid) for eye in face.eyes), head, (across, up, forward))
+        return Posture(tuple(_look(eye, gaze, rigid) for eye in face.eyes), head, (across, up, forward), tongue)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +99,7 @@ def stance_of(face: Face, posture: Posture, jaw: FloatArray) -> Stance:
     return Stance(jaw, posture, eyes, _held(face, posture))
 
 
-STILL = Rig({}, {})
+STILL = Rig({}, {}, {})
 """Eyes that look ahead on a head that is held upright."""
 
 
@@ -102,16 +107,21 @@ def rig_of(units: Iterable[ActionUnit]) -> Rig:
     """The rig that some action units drive."""
     eyes: dict[str, EyeMotion] = {}
     head: dict[str, HeadMotion] = {}
+    tongue: dict[str, TongueMotion] = {}
     for unit in units:
         for number, name in enumerate(unit.fields):
             if unit.eyes:
                 eyes[name] = unit.eyes.mirrored if number else unit.eyes
             if unit.head:
                 head[name] = unit.head.mirrored if number else unit.head
-    return Rig(eyes, head)
+            if unit.tongue:
+                tongue[name] = unit.tongue
+    return Rig(eyes, head, tongue)
 
 
-def _summed(expression: Expression, table: dict[str, EyeMotion] | dict[str, HeadMotion], size: int) -> list[float]:
+def _summed(
+    expression: Expression, table: Mapping[str, EyeMotion | HeadMotion | TongueMotion], size: int
+) -> list[float]:
     total = np.zeros(size)
     for name, motion in table.items():
         weight = expression.get(name, 0.0)

@@ -1,4 +1,4 @@
-"""What an action unit does to the eyes and to the head: rigid motions that no skin has to be solved for."""
+"""What an action unit does to eyes, head and tongue: motions that no skin has to be solved for."""
 
 from __future__ import annotations
 
@@ -53,3 +53,20 @@ class HeadMotion:
     def mirrored(self) -> HeadMotion:
         """Its mirror image: the head turns and tilts to the other side."""
         return replace(self, turn=-self.turn, tilt=-self.tilt) if self.turn or self.tilt else self
+
+
+@dataclass(frozen=True)
+class TongueMotion:
+    """How an action unit moves the tongue at activation 1.
+
+    Attributes
+    ----------
+    out : how far its tip comes forward, millimetres
+    lift : degrees by which it is bent up before the teeth; below zero down
+    """
+
+    out: float = 0.0
+    lift: float = 0.0
+
+    def __bool__(self) -> bool:
+        return bool(self.out or self.lift)

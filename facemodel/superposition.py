@@ -13,6 +13,7 @@ from facemodel.field_sum import add_field, sum_fields
 from facemodel.jaw.motion import jaw_motion
 from facemodel.kinematics import NO_TURN, STILL, Rig, Rigid, Stance, stance_of
 from facemodel.sculpting.sampler import DrawnChange
+from facemodel.tongue import tongue_places
 from fem.types import Float32Array, FloatArray
 
 REFRESH_AFTER = 256
@@ -34,7 +35,7 @@ class Superposition:
     points : (P, 3) float32, the posed skin; always the same array
     normals : (P, 3) float32, its unit normals; always the same array
     parts : posed points (n, 3) float32 of every part of the face by its name; always the same arrays
-    rig : what the sliders do to eyes and head
+    rig : what the sliders do to eyes, head and tongue
     turned : how eyes and head are turned besides; seen with the next pose
     stance : how jaw, eyes and head stand; what is drawn is the head upright, to be moved by ``stance.head``
     shifts : how many shifts lie on what is posed
@@ -212,7 +213,9 @@ class Superposition:
     def _move_jaw(self) -> None:
         for part in self.face.parts:
             if part.carrier == "jaw":
-                self.parts[part.name][:] = part.mesh.positions @ self.jaw[:3, :3].T + self.jaw[:3, 3]
+                tongue = self.stance.posture.tongue if part.kind == "tongue" else None
+                rest = tongue_places(self.face, part, tongue) if tongue else part.mesh.positions
+                self.parts[part.name][:] = rest @ self.jaw[:3, :3].T + self.jaw[:3, 3]
 
 
 def _drawn_alike(one: DisplaySurface, other: DisplaySurface) -> bool:

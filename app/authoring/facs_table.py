@@ -57,5 +57,11 @@ def _filled(unit: ActionUnit, table: ActionUnit | None) -> ActionUnit:
     if table is None:
         return unit
     return replace(
-        unit, muscles=table.muscles, jaw=table.jaw, amplitude=table.amplitude, eyes=table.eyes, head=table.head
+        unit,
+        muscles=table.muscles,
+        jaw=table.jaw,
+        amplitude=table.amplitude,
+        eyes=table.eyes,
+        head=table.head,
+        tongue=table.tongue,
     )

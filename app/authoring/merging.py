@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from app.authoring.motions import summed_eyes, summed_head
+from app.authoring.motions import summed_eyes, summed_head, summed_tongue
 from app.authoring.renaming import refielded
 from app.authoring.units import check_range, unit_of
 from app.errors import UnitError
@@ -47,6 +47,7 @@ def merged(project: Project, number: int, other: int, own: float = 1.0, share: f
         amplitude=max(own * first.amplitude, share * second.amplitude),
         eyes=summed_eyes([(first.eyes, own), (second.eyes, share)]),
         head=summed_head([(first.head, own), (second.head, share)]),
+        tongue=summed_tongue([(first.tongue, own), (second.tongue, share)]),
     )
     fields = dict(zip(second.fields, both.fields, strict=True))
     shared = replace(project, corrections=_shared(project, {number: own, other: share}))

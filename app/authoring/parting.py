@@ -26,8 +26,8 @@ def split(project: Project, number: int) -> Project:
     unit = unit_of(project, number)
     if unit.paired:
         raise UnitError(f"Action unit {number} ({unit.name}) has left and right already.")
-    if unit.eyes or unit.head:
-        raise UnitError(f"Action unit {number} ({unit.name}) moves eyes or head, which have no sides to part.")
+    if unit.eyes or unit.head or unit.tongue:
+        raise UnitError(f"Action unit {number} ({unit.name}) moves eyes, head or tongue, which have no sides to part.")
     if unit.jaw and unit.jaw.side:
         return _split_sideways(project, unit, unit.jaw)
     both = replace(unit, paired=True, jaw=_times(unit.jaw, 0.5))

@@ -12,7 +12,7 @@ from app.intensity import letter_of, weight_of
 from app.scripting.desk import ScriptDesk
 from app.scripting.sculpt_handle import SculptHandle
 from facemodel.actions import ActionUnit, Group, JawMotion
-from facemodel.motions import EyeMotion, HeadMotion
+from facemodel.motions import EyeMotion, HeadMotion, TongueMotion
 from facemodel.project import Project
 
 
@@ -163,6 +163,15 @@ class UnitHandle:
     def move_head(self, turn: float = 0.0, lift: float = 0.0, tilt: float = 0.0, forward: float = 0.0) -> None:
         """At weight 1, turn the head left, chin up and to the left shoulder by degrees, and move it by mm."""
         self._do(lambda project: motions.with_head(project, self._number, turn, lift, tilt, forward), "Change")
+
+    @property
+    def tongue(self) -> TongueMotion | None:
+        """What it does to the tongue, see `move_tongue`."""
+        return self._unit.tongue
+
+    def move_tongue(self, out: float = 0.0, lift: float = 0.0) -> None:
+        """At weight 1, bring the tip of the tongue out by millimetres, bent up before the teeth by degrees."""
+        self._do(lambda project: motions.with_tongue(project, self._number, out, lift), "Change")
 
     def duplicate(self) -> UnitHandle:
         """A copy of it, behind it in the list."""

@@ -19,7 +19,7 @@ from facemodel.io.schema import (
     SphincterRecord,
 )
 from facemodel.io.unit_schema import UnitRecord
-from facemodel.motions import EyeMotion, HeadMotion
+from facemodel.motions import EyeMotion, HeadMotion, TongueMotion
 from facemodel.muscles import Cosine, Fibre, Muscle, Profile, Profiles, Sphincter
 from facemodel.project import Settings
 from fem.types import FloatArray
@@ -152,7 +152,7 @@ def unit_json(unit: ActionUnit) -> dict[str, Any]:
         document["limit"] = float(unit.limit)
     if unit.letters != LETTERS:
         document["letters"] = [float(weight) for weight in unit.letters]
-    for name, motion in (("eyes", unit.eyes), ("head", unit.head)):
+    for name, motion in (("eyes", unit.eyes), ("head", unit.head), ("tongue", unit.tongue)):
         if motion is not None:
             document[name] = {part: float(value) for part, value in asdict(motion).items()}
     return document
@@ -179,6 +179,7 @@ def unit_of(record: UnitRecord) -> ActionUnit:
         letters=record.letters,
         eyes=None if record.eyes is None else EyeMotion(**record.eyes.model_dump()),
         head=None if record.head is None else HeadMotion(**record.head.model_dump()),
+        tongue=None if record.tongue is None else TongueMotion(**record.tongue.model_dump()),
     )
 
 

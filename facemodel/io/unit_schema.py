@@ -36,6 +36,13 @@ class HeadMotionRecord(Record):
     forward: Length = 0.0
 
 
+class TongueMotionRecord(Record):
+    """See `facemodel.motions.TongueMotion`."""
+
+    out: Length = 0.0
+    lift: Degrees = 0.0
+
+
 class UnitRecord(Record):
     """See `facemodel.actions.ActionUnit`."""
 
@@ -51,6 +58,7 @@ class UnitRecord(Record):
     letters: tuple[Limit, Limit, Limit, Limit, Limit] = LETTERS
     eyes: EyeMotionRecord | None = None
     head: HeadMotionRecord | None = None
+    tongue: TongueMotionRecord | None = None
 
     @model_validator(mode="after")
     def _ordered(self) -> UnitRecord:

@@ -8,8 +8,8 @@ from facemodel.faces import face_keys
 from facemodel.facs import action_units, emotions
 from resources import resource
 
-NUMBERS = {1, 2, 4, 5, 6, 7, 9, 10, 11, 12, 14, 15, 16, 17, 18, 20, 22, 23, 24, 25, 26, 27, 43}
-MIDLINE = {17, 22, 23, 24, 25, 26, 27}
+NUMBERS = {1, 2, 4, 5, 6, 7, 9, 10, 11, 12, 14, 15, 16, 17, 18, 19, 20, 22, 23, 24, 25, 26, 27, 43}
+MIDLINE = {17, 19, 22, 23, 24, 25, 26, 27}
 EYES, HEAD = set(range(61, 67)), set(range(51, 59))
 
 # Largest displacement of the skin at full contraction, measured on scanned adults, one side where paired; mm.
@@ -86,8 +86,8 @@ def test_units_are_made_by_the_muscles_of_the_system(number: int) -> None:
 
 def test_the_jaw_moves_in_jaw_units_only_and_opens_further_in_the_larger() -> None:
     moving = {unit.number: unit.jaw for unit in action_units() if unit.jaw is not None}
-    assert set(moving) == {26, 27}
-    assert 0 < moving[26].degrees < moving[27].degrees < 35
+    assert set(moving) == {19, 26, 27}
+    assert 0 < moving[19].degrees < moving[26].degrees < moving[27].degrees < 35
     assert 0 <= moving[26].slide <= moving[27].slide < 15
 
 
@@ -100,6 +100,11 @@ def test_eyes_and_head_turn_to_either_side_alike() -> None:
     assert all(units[number].eyes and not units[number].head for number in EYES)
     assert all(units[number].head and not units[number].eyes for number in HEAD)
     assert all(units[number].limit == 1 for number in EYES | HEAD)
+
+
+def test_the_tongue_comes_out_in_one_unit_that_opens_the_mouth_for_it() -> None:
+    assert {unit.number for unit in action_units() if unit.tongue} == {19}
+    assert all(unit.jaw for unit in action_units() if unit.tongue)
 
 
 def test_levator_contracts_to_open_and_relaxes_to_close() -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from html import escape
 
 from facemodel.actions import ActionUnit, JawMotion
-from facemodel.motions import EyeMotion, HeadMotion
+from facemodel.motions import EyeMotion, HeadMotion, TongueMotion
 from facemodel.muscles import Muscle
 
 MuscleTitles = Mapping[str, str]
@@ -57,12 +57,18 @@ def head_words(head: HeadMotion) -> str:
     )
 
 
+def tongue_words(tongue: TongueMotion) -> str:
+    """How the tongue moves, as far as it does: ``24 mm out, 30° down``."""
+    return _ways((tongue.out, " mm out", " mm back"), (tongue.lift, "° up", "° down"))
+
+
 def motion_words(unit: ActionUnit) -> str:
-    """What a unit does to jaw, eyes and head: ``jaw, 12° open``."""
+    """What a unit does to jaw, eyes, head and tongue: ``jaw, 12° open``."""
     parts = (
         ("jaw", unit.jaw and jaw_words(unit.jaw)),
         ("eyes", unit.eyes and eye_words(unit.eyes)),
         ("head", unit.head and head_words(unit.head)),
+        ("tongue", unit.tongue and tongue_words(unit.tongue)),
     )
     return "; ".join(f"{what}, {words}" for what, words in parts if words)
 

@@ -20,6 +20,7 @@ from ui.viewport.shading import Ghost
 from ui.viewport.skin import Skin
 from ui.viewport.surface import Surface, moved_by
 from ui.viewport.teeth import is_strip, row_of_teeth
+from ui.viewport.tongue import Tongue
 
 
 class Figure:
@@ -45,6 +46,7 @@ class Figure:
         self._jaw: list[Surface] = []
         self._still: list[Surface] = []
         self._caps: list[Surface] = []
+        self._tongues: list[Tongue] = []
         if cut is not None:
             self._caps.append(neck_cap(cut, display))
         for part in face.parts:
@@ -73,6 +75,8 @@ class Figure:
         stance = self.posed.stance
         for surface in self._jaw:
             moved_by(surface, stance.head @ stance.jaw)
+        for each in self._tongues:
+            each.move(stance.posture.tongue)
         for eye, motion in zip(self.eyes, stance.eyes, strict=True):
             eye.turn(stance.head, motion)
             eye.shade(self.posed.points)
@@ -107,6 +111,8 @@ class Figure:
         else:
             rows = row_of_teeth if is_strip(part) else enamel
             surface = rows(part) if part.kind == "teeth" else tongue(part)
+            if part.kind == "tongue":
+                self._tongues.append(Tongue(self.posed.face, part, surface))
             (self._jaw if part.carrier == "jaw" else self._still).append(surface)
 
     def _plant(self, part: Part) -> None:

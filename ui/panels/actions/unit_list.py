@@ -268,7 +268,7 @@ class UnitList(RowDrag, QTreeWidget):
 
 
 def _moves_nothing(unit: ActionUnit) -> bool:
-    return not (unit.muscles or unit.jaw or unit.eyes or unit.head)
+    return not (unit.muscles or unit.jaw or unit.eyes or unit.head or unit.tongue)
 
 
 def _written(weights: list[float]) -> str:
