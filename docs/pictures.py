@@ -15,12 +15,16 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageGrab
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from app.document import Document
 from app.settings import UserSettings
+from app.speech.espeak import spoken_sound
+from app.timeline.chosen import Chosen
+from docs import three_keys
 from docs.first_face import Hand, walk, workspace
 from facemodel.cache import solve_cached
+from facemodel.io.audio import write_sound
 from facemodel.io.project_file import save_project
 from facemodel.projects import new_project
 from ui.launch import main as risorius
@@ -101,7 +105,7 @@ def editor(theme: str, emotion: str, name: str, workspaces: tuple[str, ...] = ()
 
 @contextmanager
 def opened() -> Iterator[Hand]:
-    """A hand on the editor, as it opens for the first time."""
+    """A hand on the editor in the dark, as it opens for the first time; it is closed without a question."""
     app = make_application()
     with tempfile.TemporaryDirectory() as folder:
         settings = UserSettings(Path(folder) / "preferences.json")
@@ -112,6 +116,7 @@ def opened() -> Iterator[Hand]:
         window.resize(*SIZE)
         window.move(0, 0)
         window.show()
+        window.activateWindow()
         wait(app, lambda: document.solution is not None and window.viewport.shows_face)
 
         def keep(name: str) -> None:
@@ -119,7 +124,8 @@ def opened() -> Iterator[Hand]:
             photograph(window, name)
 
         yield Hand(window, keep)
-        document.save(Path(folder) / "done.risorius")
+        document.reset_expression()
+        document.save(Path(folder) / "seen.risorius")
         window.close()
 
 
@@ -172,6 +178,23 @@ def pad() -> None:
         hand.photograph("pad")
 
 
+def animation() -> None:
+    """Photograph the way to three keys with a voice, which eSpeak NG lends, and the curves that come of it."""
+    with tempfile.TemporaryDirectory() as folder, opened() as hand:
+        voice = Path(folder) / "hello.wav"
+        write_sound(spoken_sound("Hello, my name is Ada."), voice)
+        QFileDialog.getOpenFileName = staticmethod(lambda *_asked: (str(voice), ""))
+        three_keys.walk(hand)
+        window = hand.window
+        timeline = window.timeline.timeline
+        timeline.change(mode="curves", lines=frozenset(f"track {name}" for name in ("1L", "12L", "17", "4L")))
+        timeline.choose(Chosen({("12L", 0): (1,)}))
+        window.binding.perform("timeline.shape.bezier")
+        hand.rest(0.5)
+        window.timeline.panel.graph.frame_values()
+        hand.photograph("curves")
+
+
 def plates() -> None:
     """Draw the plates and the sheet with the command line."""
     with tempfile.TemporaryDirectory() as folder:
@@ -195,5 +218,5 @@ if __name__ == "__main__":
     plates()
     editor("dark", "happiness", "editor", ("actions", "muscles", "skull", "tissue"))
     editor("light", "surprise", "editor-light")
-    for taken in (first_face, models, sculpting, pad):
+    for taken in (first_face, models, sculpting, pad, animation):
         taken()
