@@ -5,11 +5,14 @@ from __future__ import annotations
 from psygnal import SignalInstance
 from PySide6.QtCore import QObject, Signal
 
-from app.timeline.lines import Line, lines_of
+from app.timeline.lines import Kind, Line, lines_of
 from app.timeline.state import TimelineState
 from app.timeline.timeline import Timeline
 from ui.timeline.row_layout import HEIGHTS, HIGHEST, LOWEST, RowLayout
 from ui.timeline.time_scale import TimeScale, fitted
+
+HAS_CURVES: frozenset[Kind] = frozenset(("group", "track", "layer"))
+"""Lines beside the graph: what is not a curve is no use there."""
 
 
 class TimelineView(QObject):
@@ -112,7 +115,10 @@ class TimelineView(QObject):
 
     def _lay_out(self) -> None:
         project = self.timeline.document.project
-        lines = lines_of(project.animation, project.units, self.timeline.state)
+        state = self.timeline.state
+        lines = lines_of(project.animation, project.units, state)
+        if state.mode == "curves":
+            lines = tuple(line for line in lines if line.kind in HAS_CURVES)
         before = self.layout
         self.layout = RowLayout(lines, self._track_height, bool(project.animation.expressions))
         if [(p.line, p.height) for p in before.rows] != [(p.line, p.height) for p in self.layout.rows]:
@@ -124,7 +130,7 @@ class TimelineView(QObject):
         self.content.emit()
 
     def _follow_state(self, now: TimelineState, before: TimelineState) -> None:
-        if (now.sought, now.flipped) != (before.sought, before.flipped):
+        if (now.sought, now.flipped, now.mode) != (before.sought, before.flipped, before.mode):
             self._lay_out()
         self.content.emit()
 

@@ -137,3 +137,12 @@ def test_a_range_of_values_is_brought_into_view() -> None:
     assert 0 < scale.y(3.0) < scale.y(-1.0) < 200
     assert scale.value(scale.y(0.7)) == pytest.approx(0.7)
     assert fitted_values(0.5, 0.5, 200).per_unit > 0
+
+
+def test_only_what_has_a_curve_is_listed_beside_the_graph(stage: Stage) -> None:
+    kinds = {line.kind for line in stage.view.lines}
+    assert {"expressions", "speech", "track"} <= kinds
+    stage.timeline.change(mode="curves")
+    assert {line.kind for line in stage.view.lines} == {"group", "track", "layer"}
+    stage.timeline.change(mode="keys")
+    assert {line.kind for line in stage.view.lines} == kinds
