@@ -22,7 +22,8 @@ def test_it_answers_every_dependency(lock: str, repository: Path) -> None:
     for name, version in PIN.findall(lock):
         pinned.setdefault(name, []).append(Version(version))
     project = tomllib.loads((repository / "pyproject.toml").read_text("utf-8"))["project"]
-    for text in project["dependencies"] + project["optional-dependencies"]["test"]:
+    extras = project["optional-dependencies"]
+    for text in project["dependencies"] + extras["test"] + extras["video"] + extras["usd"]:
         requirement = Requirement(text)
         versions = pinned[requirement.name.lower()]
         assert all(requirement.specifier.contains(version) for version in versions), text

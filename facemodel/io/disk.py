@@ -43,11 +43,18 @@ def read_file(path: Path, limit: int) -> bytes:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[BinaryIO]:
-    """A stream whose bytes become the file at ``path`` only when all of them are on the disk.
+    """A stream whose bytes become the file at ``path`` only when all of them are on the disk; see `replacing_file`."""
+    with replacing_file(path) as fresh, open(fresh, "xb") as stream:
+        yield stream
 
-    The bytes go into a new file in the same folder, are flushed to the disk, and that file then takes the
-    name.  A link is followed, so that it goes on pointing at the file.  On failure the new file is removed
-    and the previous one stays as it was.
+
+@contextmanager
+def replacing_file(path: Path) -> Iterator[Path]:
+    """The name of a new file, to be written, that becomes the file at ``path`` only when it is whole on the disk.
+
+    It lies in the same folder and ends as ``path`` does.  Once written it is flushed to the disk and takes the name.
+    A link is followed, so that it goes on pointing at the file.  On failure the new file is removed and the previous
+    one stays as it was.
 
     Raises
     ------
@@ -55,16 +62,10 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
         If the folder is missing or not writable, the name belongs to a folder or device, or the disk is full.
     """
     target = checked_target(path)
-    fresh = target.with_name(f".risorius-{secrets.token_hex(8)}.tmp")
+    fresh = target.with_name(f".risorius-{secrets.token_hex(8)}{target.suffix}")
     try:
-        stream = open(fresh, "xb")  # noqa: SIM115 - closed below, before it takes the name
-    except OSError as error:
-        raise ProjectError(disk_sentence(path, "saved", error)) from error
-    try:
-        with stream:
-            yield stream
-            stream.flush()
-            os.fsync(stream.fileno())
+        yield fresh
+        flush(fresh)
         if target.exists():
             shutil.copymode(target, fresh)
         os.replace(fresh, target)
@@ -74,7 +75,13 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
     except BaseException:
         fresh.unlink(missing_ok=True)
         raise
-    _sync_folder(target.parent)
+    sync_folder(target.parent)
+
+
+def flush(path: Path) -> None:
+    """Have all bytes of a file written to the disk."""
+    with open(path, "r+b") as stream:
+        os.fsync(stream.fileno())
 
 
 def checked_target(path: Path) -> Path:
@@ -112,7 +119,7 @@ def _kind(status: os.stat_result) -> str:
     return "a folder" if stat.S_ISDIR(status.st_mode) else "a device or a pipe"
 
 
-def _sync_folder(folder: Path) -> None:
+def sync_folder(folder: Path) -> None:
     """Flush the folder, so that the new name survives a power cut; Windows has no such call."""
     if os.name == "nt":
         return

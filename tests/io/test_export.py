@@ -1,14 +1,11 @@
 """What leaves the program is what it shows, read back by readers that know nothing of it."""
 
 import io
-import json
 import os
-import struct
 import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -26,6 +23,7 @@ from facemodel.kinematics import rig_of
 from facemodel.motions import EyeMotion, HeadMotion
 from facemodel.solve import solve_project
 from facemodel.superposition import Superposition
+from tests.io.glb_reader import Glb
 from tests.io.small_project import small_project
 
 LOOK = ActionUnit(61, "eyes turn left", "eyes", False, {}, 0.0, eyes=EyeMotion(turn=30.0, spread=5.0))
@@ -122,55 +120,6 @@ def test_ply_is_the_posed_face_with_normals_and_colours() -> None:
     assert len(np.unique(mesh.visual.vertex_colors[:81], axis=0)) == 1
 
 
-class Glb:
-    """A reader of binary glTF by the letter of its specification."""
-
-    def __init__(self, data: bytes) -> None:
-        magic, version, length = struct.unpack_from("<4sII", data)
-        assert (magic, version, length) == (b"glTF", 2, len(data))
-        size, kind = struct.unpack_from("<I4s", data, 12)
-        assert kind == b"JSON"
-        assert size % 4 == 0
-        self.json: dict[str, Any] = json.loads(data[20 : 20 + size])
-        rest, kind = struct.unpack_from("<I4s", data, 20 + size)
-        assert kind == b"BIN\0"
-        self.bin = data[28 + size : 28 + size + rest]
-        self.meshes = {mesh["name"]: mesh for mesh in self.json["meshes"]}
-
-    def view(self, number: int, dtype: str) -> np.ndarray:
-        view = self.json["bufferViews"][number]
-        assert view.get("byteOffset", 0) % 4 == 0
-        start = view.get("byteOffset", 0)
-        return np.frombuffer(self.bin[start : start + view["byteLength"]], dtype)
-
-    def array(self, number: int) -> np.ndarray:
-        accessor = self.json["accessors"][number]
-        dtype = {5123: "<u2", 5125: "<u4", 5126: "<f4"}[accessor["componentType"]]
-        width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[accessor["type"]]
-        values = np.zeros((accessor["count"], width), dtype)
-        if "bufferView" in accessor:
-            values = self.view(accessor["bufferView"], dtype).reshape(-1, width).copy()
-        assert len(values) == accessor["count"]
-        if "sparse" in accessor:
-            sparse = accessor["sparse"]
-            kind = {5123: "<u2", 5125: "<u4"}[sparse["indices"]["componentType"]]
-            rows = self.view(sparse["indices"]["bufferView"], kind)
-            assert len(rows) == sparse["count"]
-            assert np.all(np.diff(rows.astype(int)) > 0)
-            values[rows] = self.view(sparse["values"]["bufferView"], dtype).reshape(-1, width)
-        if "min" in accessor:
-            assert np.array_equal(values.min(axis=0), np.array(accessor["min"], dtype))
-            assert np.array_equal(values.max(axis=0), np.array(accessor["max"], dtype))
-        return values
-
-    def posed(self, name: str, weights: list[float], attribute: str = "POSITION") -> np.ndarray:
-        primitive = self.meshes[name]["primitives"][0]
-        total = self.array(primitive["attributes"][attribute]).astype(float)
-        for weight, target in zip(weights, primitive.get("targets", []), strict=False):
-            total += weight * self.array(target[attribute])
-        return total
-
-
 def glb(expression: Expression | None = None) -> Glb:
     return Glb(exported(".glb", expression))
 
@@ -259,7 +208,7 @@ def test_exporting_twice_gives_the_same_bytes(suffix: str) -> None:
 
 
 def test_a_suffix_without_a_format_is_named_with_those_there_are(tmp_path: Path) -> None:
-    with pytest.raises(ProjectError, match=r"smile\.fbx.*\.glb, \.npz, \.obj or \.ply"):
+    with pytest.raises(ProjectError, match=r"smile\.fbx.*\.glb, \.usdc, \.usda, \.npz, \.obj or \.ply"):
         export_project(PROJECT, SOLUTION, tmp_path / "smile.fbx")
 
 

@@ -23,7 +23,7 @@ from pygltflib import (
     Sparse,
 )
 
-from fem.types import Float32Array, IntArray
+from fem.types import Float32Array, FloatArray, IntArray
 
 ALIGNMENT = 4
 LARGEST_SHORT = 65_534
@@ -85,6 +85,12 @@ class GltfBuffer:
             )
         return accessor
 
+    def samples(self, values: FloatArray, *, bounded: bool = False) -> int:
+        """An accessor of something over time: (T,) numbers, or (T, 2 to 4) vectors; ``bounded`` as times must be."""
+        held = np.ascontiguousarray(values, dtype="<f4")
+        kind = SCALAR if held.ndim == 1 else TYPES[held.shape[1]]
+        return self._accessor(FLOAT, held, kind, view=self._view(held.tobytes()), bounded=bounded)
+
     def _zeros(self, length: int) -> int:
         """A shared view of zeros; sparse accessors may do without one, but not every reader knows that."""
         if length not in self._zeros_of:
@@ -102,8 +108,8 @@ class GltfBuffer:
     def _accessor(self, component: int, values: NDArray[Any], kind: str, *, view: int, bounded: bool = False) -> int:
         accessor = Accessor(bufferView=view, componentType=component, count=len(values), type=kind)
         if bounded:
-            accessor.min = values.min(axis=0).tolist()
-            accessor.max = values.max(axis=0).tolist()
+            accessor.min = np.atleast_1d(values.min(axis=0)).tolist()
+            accessor.max = np.atleast_1d(values.max(axis=0)).tolist()
         self.accessors.append(accessor)
         return len(self.accessors) - 1
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -13,14 +14,18 @@ from facemodel.solve import Solution
 
 
 def write_obj(project: Project, solution: Solution, stream: BinaryIO) -> None:
-    """Write skin, eyes and parts posed with the project's expression.
+    """Write skin, eyes and parts posed with the project's expression; see `write_obj_pieces`."""
+    write_obj_pieces(project.face.title, pieces(project.face, solution.basis, project.expression), stream)
+
+
+def write_obj_pieces(title: str, posed: Iterable[Piece], stream: BinaryIO) -> None:
+    """Write the pieces of a posed face.
 
     The format knows no transparency here, so the clear corneas, which would hide the irises, stay out.
     """
-    title = " ".join(project.face.title.split())
-    stream.write(f"# {title}, posed with Risorius, millimetres\n".encode())
+    stream.write(f"# {' '.join(title.split())}, posed with Risorius, millimetres\n".encode())
     points, textured = 1, 1
-    for piece in pieces(project, solution.basis, project.expression):
+    for piece in posed:
         if piece.kind == "cornea":
             continue
         stream.write(_object(piece, points, textured).encode())

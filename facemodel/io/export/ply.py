@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import BinaryIO
 
 import numpy as np
 
-from facemodel.io.export.pieces import pieces
+from facemodel.io.export.pieces import Piece, pieces
 from facemodel.project import Project
 from facemodel.solve import Solution
 
@@ -37,8 +38,13 @@ end_header
 
 
 def write_ply(project: Project, solution: Solution, stream: BinaryIO) -> None:
-    """Write skin, eyes and parts posed with the project's expression, without the clear corneas."""
-    drawn = [p for p in pieces(project, solution.basis, project.expression) if p.kind != "cornea"]
+    """Write skin, eyes and parts posed with the project's expression; see `write_ply_pieces`."""
+    write_ply_pieces(project.face.title, pieces(project.face, solution.basis, project.expression), stream)
+
+
+def write_ply_pieces(title: str, posed: Iterable[Piece], stream: BinaryIO) -> None:
+    """Write the pieces of a posed face as one mesh, without the clear corneas."""
+    drawn = [piece for piece in posed if piece.kind != "cornea"]
     counts = [len(piece.positions) for piece in drawn]
     starts = np.cumsum([0, *counts[:-1]])
     vertices = np.empty(sum(counts), dtype=VERTEX)
@@ -54,7 +60,7 @@ def write_ply(project: Project, solution: Solution, stream: BinaryIO) -> None:
     faces = np.empty(len(corners), dtype=FACE)
     faces["count"] = 3
     faces["corners"] = corners
-    title = " ".join(project.face.title.split()).encode("ascii", "replace").decode()
-    stream.write(HEADER.format(title=title, points=len(vertices), faces=len(faces)).encode())
+    plain = " ".join(title.split()).encode("ascii", "replace").decode()
+    stream.write(HEADER.format(title=plain, points=len(vertices), faces=len(faces)).encode())
     stream.write(vertices.tobytes())
     stream.write(faces.tobytes())

@@ -1,0 +1,74 @@
+"""Every frame of a take as the editor poses it, in one vector for all that the skin moves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from facemodel.actions import Expression
+from facemodel.animation.take import Take
+from facemodel.basis import Basis
+from facemodel.face import Face
+from facemodel.superposition import Superposition
+from fem.types import Float32Array, FloatArray
+
+SKIN = "skin"
+
+
+class PosedFrames:
+    """Poses a face; what it gives are copies.
+
+    Attributes
+    ----------
+    names : the meshes that the skin moves: itself, and the parts that it carries
+    rest : (3 Q,) float32, their points at rest one mesh behind the other; of the skin only those that can move
+
+    Parameters
+    ----------
+    face, basis : what is posed
+    """
+
+    def __init__(self, face: Face, basis: Basis) -> None:
+        self._posed = Superposition(face, basis)
+        self._moving = basis.display.moving
+        self.names = (SKIN, *(name for name, _ in basis.display.carried))
+        counts = [self._moving, *(count for _, count in basis.display.carried)]
+        ends = np.cumsum(counts)
+        self._places = {
+            name: slice(end - count, end) for name, count, end in zip(self.names, counts, ends.tolist(), strict=True)
+        }
+        self.rest = self._points()
+        self._rest_normals = self._posed.normals.copy()
+        self._skin = len(self._posed.points)
+
+    def moved(self, expression: Expression) -> Float32Array:
+        """How far (3 Q,) everything is moved in an expression, millimetres."""
+        self._posed.pose(expression)
+        return np.asarray(self._points() - self.rest)
+
+    @property
+    def normals(self) -> Float32Array:
+        """How the skin's normals (P, 3) differ from rest in the expression that was posed last."""
+        return np.asarray(self._posed.normals - self._rest_normals)
+
+    @property
+    def jaw(self) -> FloatArray:
+        """Motion (4, 4) of the mandible in the expression that was posed last."""
+        return self._posed.jaw.copy()
+
+    def of(self, name: str, moved: Float32Array) -> Float32Array:
+        """The part of a vector (3 Q,) that belongs to one mesh, (n, 3), the held points of the skin with it."""
+        rows = moved.reshape(-1, 3)[self._places[name]]
+        if name != SKIN:
+            return rows
+        whole = np.zeros((self._skin, 3), dtype=np.float32)
+        whole[: self._moving] = rows
+        return whole
+
+    def _points(self) -> Float32Array:
+        parts = [self._posed.parts[name] for name in self.names[1:]]
+        return np.concatenate([self._posed.points[: self._moving], *parts]).ravel()
+
+
+def sample_frames(take: Take, most: int) -> list[int]:
+    """At most so many frames of a take, evenly spread, the first and the last among them."""
+    return [int(frame) for frame in np.unique(np.linspace(0, len(take) - 1, min(most, len(take))).round())]
