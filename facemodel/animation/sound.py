@@ -109,6 +109,16 @@ def voiced_span(sound: Sound) -> tuple[float, float]:
     return float(heard[0]) / sound.rate, float(heard[-1] + 1) / sound.rate
 
 
+def stretch(sound: Sound, start: float, duration: float) -> Sound:
+    """What is heard from a time on for a duration, seconds; silence before the begin of a sound and behind its end."""
+    first, count = round(start * sound.rate), round(duration * sound.rate)
+    heard = np.zeros((count, sound.samples.shape[1]), dtype=np.float32)
+    low, high = max(first, 0), min(first + count, len(sound.samples))
+    if low < high:
+        heard[low - first : high - first] = sound.samples[low:high]
+    return Sound(heard, sound.rate)
+
+
 def resampled(sound: Sound, rate: int) -> Sound:
     """The same sound with another number of samples per second."""
     if rate == sound.rate or not len(sound.samples):

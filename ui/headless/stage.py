@@ -17,7 +17,7 @@ from ui.viewport.scene import Scene
 from ui.viewport.surface import ByteArray
 
 FINER = 2
-"""Every pixel is drawn this many times as wide and high and averaged, which also smooths hair and highlights."""
+"""Every pixel is drawn so many times as wide and high and averaged, which also smooths hair and highlights."""
 SAMPLES = 4
 """Samples per drawn pixel at the edges of surfaces, where the picture is to be as fine as can be."""
 BACKEND = "VTK_DEFAULT_OPENGL_WINDOW"
@@ -32,16 +32,18 @@ class Stage:
     size : width and height of the pictures in pixels
     theme : of the backdrop, ``dark`` or ``light``
     samples : per drawn pixel at the edges of surfaces; zero is faster
+    finer : every pixel is drawn this many times as wide and high and averaged
 
     Attributes
     ----------
     scene : what is photographed
     """
 
-    def __init__(self, size: tuple[int, int], theme: str = "dark", samples: int = SAMPLES) -> None:
+    def __init__(self, size: tuple[int, int], theme: str = "dark", samples: int = SAMPLES, finer: int = FINER) -> None:
         self.size = size
+        drawn = (finer * size[0], finer * size[1])
         with _screenless():
-            self._plotter = pv.Plotter(off_screen=True, window_size=(FINER * size[0], FINER * size[1]), lighting="none")
+            self._plotter = pv.Plotter(off_screen=True, window_size=drawn, lighting="none")
         self._plotter.render_window.SetMultiSamples(samples)
         self.scene = Scene(self._plotter, theme)
 
@@ -59,6 +61,8 @@ class Stage:
         image = grab.GetOutput()
         width, height, _ = image.GetDimensions()
         drawn = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1]
+        if (width, height) == self.size:
+            return np.ascontiguousarray(drawn)
         fine = Image.fromarray(np.ascontiguousarray(drawn))
         return np.asarray(fine.resize(self.size, Image.Resampling.BOX))
 
@@ -68,9 +72,9 @@ class Stage:
 
 
 @contextmanager
-def stage(size: tuple[int, int], theme: str = "dark", samples: int = SAMPLES) -> Iterator[Stage]:
+def stage(size: tuple[int, int], theme: str = "dark", samples: int = SAMPLES, finer: int = FINER) -> Iterator[Stage]:
     """A stage that is struck when it is no longer needed."""
-    made = Stage(size, theme, samples)
+    made = Stage(size, theme, samples, finer)
     try:
         yield made
     finally:
