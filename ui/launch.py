@@ -9,15 +9,18 @@ from __future__ import annotations
 import ctypes
 import os
 import sys
-from collections.abc import Sequence, Set
+from collections.abc import Iterator, Sequence, Set
 from io import TextIOWrapper
 from pathlib import Path
 
 from app.cli import Screen
 from app.cli import main as run_command
+from app.film import Film
 from app.view_state import ViewName
 from facemodel.actions import Expression
+from facemodel.animation.take import Take
 from facemodel.errors import RisoriusError
+from facemodel.io.film.reel import Picture
 from facemodel.project import Project
 from facemodel.solve import Solution
 
@@ -33,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors="replace")  # an old code page must not turn a sentence into a crash
-    screen = Screen(render=render, gallery=gallery, edit=edit)
+    screen = Screen(render=render, gallery=gallery, edit=edit, frames=frames)
     return run_command(sys.argv[1:] if arguments is None else arguments, screen)
 
 
@@ -62,6 +65,15 @@ def gallery(project: Project, solution: Solution, path: Path) -> None:
     except ImportError as error:
         raise missing_library(error) from error
     gallery_to_file(project, solution, path)
+
+
+def frames(take: Take, solution: Solution, film: Film) -> Iterator[Picture]:
+    """Draw the frames of a film, see `ui.headless.film_frames`."""
+    try:
+        from ui.headless import film_frames
+    except ImportError as error:
+        raise missing_library(error) from error
+    return film_frames(take, solution, film)
 
 
 def edit(path: Path | None) -> int:

@@ -8,16 +8,18 @@ from dataclasses import replace
 from pathlib import Path
 
 from app.authoring.importing import with_capture, with_sound, with_spoken
-from app.cli.progress import ProgressLine
+from app.cli.commands import solved
+from app.cli.filming import asked_span, film
+from app.cli.screen import Screen
 from app.speech import espeak_program, spoken_sound
 from facemodel.animation.demo import SPOKEN_AT, TEXT, demo_animation
 from facemodel.animation.evaluation import sampled
 from facemodel.animation.sound import voiced_span
-from facemodel.cache import solve_cached
 from facemodel.errors import ProjectError
 from facemodel.faces import DEFAULT_FACE
 from facemodel.io.audio import write_sound
 from facemodel.io.disk import checked_target
+from facemodel.io.film import FILMS
 from facemodel.io.project_file import load_project, save_project
 from facemodel.io.speech import read_speech
 from facemodel.io.weights import read_capture
@@ -25,13 +27,12 @@ from facemodel.io.weights.mapping_file import load_mapping
 from facemodel.io.weights.writing import WEIGHT_EXPORTS, Animated, export_weights
 from facemodel.project import Project
 from facemodel.projects import new_project
-from facemodel.sculpting.corrected import Corrector
 
 PROJECT_SUFFIX = ".risorius"
 
 
-def animate(asked: Namespace) -> int:
-    """Bring captures and speech into a project, and write what comes of it."""
+def animate(asked: Namespace, screen: Screen) -> int:
+    """Bring captures and speech into a project, and write what comes of it, as a film where the suffix is of one."""
     checked_target(asked.out)
     project = load_project(asked.project)
     notes: list[str] = []
@@ -46,11 +47,12 @@ def animate(asked: Namespace) -> int:
         project, notes = imported.project, [*notes, *spoken.notes, *imported.notes]
     for note in notes:
         print(f"risorius: {note}", file=sys.stderr)
-    print(f"Wrote {asked.out}: {_write(project, asked.out, asked.format, asked.fps)}")
+    folder = asked.project.absolute().parent
+    print(f"Wrote {asked.out}: {_written(project, asked, screen, folder)}")
     return 0
 
 
-def demo(asked: Namespace) -> int:
+def demo(asked: Namespace, screen: Screen) -> int:
     """Write the piece that shows what a face can do."""
     checked_target(asked.out)
     project = new_project(asked.face or DEFAULT_FACE)
@@ -60,7 +62,7 @@ def demo(asked: Namespace) -> int:
         print(f"Wrote {voice}: a voice by eSpeak NG")
     else:
         played = replace(project, animation=demo_animation(project.units))
-    print(f"Wrote {asked.out}: {_write(played, asked.out, asked.format, asked.fps)}")
+    print(f"Wrote {asked.out}: {_written(played, asked, screen, asked.out.absolute().parent)}")
     return 0
 
 
@@ -73,26 +75,30 @@ def _voiced(project: Project, voice: Path) -> Project:
     return with_sound(played, voice, sound, voice.parent, SPOKEN_AT)
 
 
-def _write(project: Project, out: Path, kind: str | None, rate: float | None) -> str:
-    """Write a project or its weights over time, by the file's suffix; what was written, in words."""
+def _written(project: Project, asked: Namespace, screen: Screen, folder: Path) -> str:
+    """Write a project, its weights over time or a film of it, by the file's suffix; what was written, in words."""
+    out: Path = asked.out
+    if out.suffix.lower() in FILMS:
+        return film(project, asked, screen, folder)
     if out.suffix.lower() == PROJECT_SUFFIX:
         save_project(project, out)
         return f"{len(project.animation.tracks)} tracks, {project.animation.duration:g} seconds"
-    chosen = kind or next((name for name, each in WEIGHT_EXPORTS.items() if each.suffix == out.suffix.lower()), None)
+    chosen = asked.format or next((n for n, each in WEIGHT_EXPORTS.items() if each.suffix == out.suffix.lower()), None)
     if chosen is None:
-        suffixes = ", ".join(sorted({each.suffix for each in WEIGHT_EXPORTS.values()} | {PROJECT_SUFFIX}))
+        suffixes = ", ".join([*FILMS, *sorted({each.suffix for each in WEIGHT_EXPORTS.values()} | {PROJECT_SUFFIX})])
         raise ProjectError(f"“{out}” cannot be written: animations are in {suffixes} files.")
-    clip = sampled(project.animation, project.units, rate)
+    return _weights(project, asked, chosen)
+
+
+def _weights(project: Project, asked: Namespace, chosen: str) -> str:
+    """Write the weights over time in one of their formats."""
+    out: Path = asked.out
+    span = asked_span(asked.range, asked.fps or project.animation.rate)
+    clip = sampled(project.animation, project.units, asked.fps, span)
     if not clip.channels:
         raise ProjectError(
             f"“{out}” would be empty, since nothing in the project moves; bring in a capture with --capture."
         )
-    basis = None
-    if WEIGHT_EXPORTS[chosen].needs_basis:
-        line = ProgressLine(sys.stderr)
-        try:
-            basis = Corrector()(solve_cached(project, line), project).basis
-        finally:
-            line.clear()
+    basis = solved(project, asked.basis).basis if WEIGHT_EXPORTS[chosen].needs_basis else None
     export_weights(Animated(clip, project.units, project.face, basis, out.stem), out, chosen)
     return f"{len(clip.times)} frames at {clip.rate:g} a second, {WEIGHT_EXPORTS[chosen].holds}"

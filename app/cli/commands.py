@@ -15,7 +15,6 @@ from facemodel.cache import cache_folder, cached_solution, keep_solution, solve_
 from facemodel.errors import ProjectError
 from facemodel.faces import DEFAULT_FACE
 from facemodel.io.disk import checked_target
-from facemodel.io.export import export_of, export_project
 from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project
 from facemodel.projects import new_project
@@ -71,20 +70,9 @@ def render(asked: Namespace, screen: Screen) -> int:
     _check_picture(asked.out)
     project = load_project(asked.project)
     expression = asked_expression(project, asked.emotion, asked.au)
-    solution = _solved(project, asked.basis)
-    screen.render(project, solution, expression, asked.out, asked.view, asked.size, asked.show, asked.linear)
+    solution = solved(project, asked.basis)
+    screen.render(project, solution, expression, asked.out, asked.view, asked.size, asked.show)
     print(f"Wrote {asked.out}")
-    return 0
-
-
-def export(asked: Namespace) -> int:
-    """Write the face for other programs."""
-    export_of(asked.out)
-    checked_target(asked.out)
-    project = load_project(asked.project)
-    posed = project.posed(asked_expression(project, asked.emotion, asked.au))
-    export_project(posed, _solved(project, asked.basis), asked.out)
-    print(f"Wrote {asked.out}: {export_of(asked.out).holds}")
     return 0
 
 
@@ -92,7 +80,7 @@ def gallery(asked: Namespace, screen: Screen) -> int:
     """Draw the sheet."""
     _check_picture(asked.out)
     project = load_project(asked.project)
-    screen.gallery(project, _solved(project, asked.basis), asked.out)
+    screen.gallery(project, solved(project, asked.basis), asked.out)
     print(f"Wrote {asked.out}")
     return 0
 
@@ -109,7 +97,8 @@ def _check_picture(out: Path) -> None:
     checked_target(out)
 
 
-def _solved(project: Project, basis: str) -> Solution:
+def solved(project: Project, basis: str) -> Solution:
+    """The solution of a project from the cache, or a new one, with what is sculpted on it."""
     line = ProgressLine(sys.stderr)
     try:
         solution = solve_cached(project, line)

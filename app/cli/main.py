@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 
 from app.cli import animating, commands
+from app.cli.export import export
 from app.cli.parser import parser
 from app.cli.screen import Screen
 from facemodel.errors import RisoriusError
@@ -38,9 +39,9 @@ def main(arguments: Sequence[str], screen: Screen) -> int:
         "solve": commands.solve,
         "info": commands.info,
         "render": partial(commands.render, screen=screen),
-        "export": commands.export,
-        "animate": animating.animate,
-        "demo": animating.demo,
+        "export": export,
+        "animate": partial(animating.animate, screen=screen),
+        "demo": partial(animating.demo, screen=screen),
         "gallery": partial(commands.gallery, screen=screen),
         "edit": partial(commands.edit, screen=screen),
     }

@@ -5,13 +5,10 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import NoReturn
 
-from app.cli.values import OVERLAYS, overlays, rate, size, weight
-from app.view_state import VIEW_TITLES
-from facemodel.faces import face_keys
-from facemodel.io.weights.writing import WEIGHT_EXPORTS
+from app.cli.animation_options import of_animate, of_demo, of_export
+from app.cli.options import of_edit, of_gallery, of_info, of_new, of_project, of_render
 
 DESCRIPTION = """\
 A desktop editor for facial expression: muscles and skin solved with finite elements, mixed in real time.
@@ -32,8 +29,9 @@ With neither, the expression saved in the project is shown.
 
 FORMATS = """\
 formats:
-  .glb   the whole head at rest with one morph target per action unit, in metres
-  .npz   neutral and posed (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
+  .glb   the whole head in metres: one morph target per action unit, or those of its animation, which it plays
+  .usdc  the same as USD with blend shapes and a skeleton; .usda is the same as text
+  .npz   neutral (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
   .obj   the head with the expression, in millimetres
   .ply   the same as one coloured mesh
 
@@ -46,6 +44,9 @@ ANIMATED = """\
 Both are brought into what is written; the project itself stays as it is.
 
 formats:
+  .mp4       a film, H.264 and AAC, which everything plays
+  .webm      a film, VP9 and Opus, for the web
+  .png       one picture per frame, OUT.0001.png and so on, without sound
   .risorius  the project with its animation
   .csv       weights, frame by frame: --format weights, arkit or live-link
   .fap       MPEG-4 face animation parameters, in units of this face
@@ -111,112 +112,16 @@ def parser(commands: Mapping[str, Callable[[Namespace], int]]) -> ArgumentParser
     return whole
 
 
-def _project(made: ArgumentParser) -> None:
-    made.add_argument("project", metavar="PROJECT", type=Path, help="a .risorius file")
-
-
-def _new(made: ArgumentParser) -> None:
-    made.add_argument("out", metavar="OUT.risorius", type=Path, help="the file to write")
-    made.add_argument("--face", metavar="NAME", help=f"which face: {', '.join(face_keys())} (the first if not given)")
-    made.add_argument("--replace", action="store_true", help="write over a file that exists")
-
-
-def _info(made: ArgumentParser) -> None:
-    _project(made)
-    made.add_argument("--json", action="store_true", help="print the figures as JSON")
-
-
-def _expression(made: ArgumentParser) -> None:
-    made.add_argument(
-        "--au", metavar="NAME=WEIGHT", type=weight, action="append", default=[], help="an action unit; repeatable"
-    )
-    made.add_argument(
-        "--emotion", metavar="NAME=WEIGHT", type=weight, action="append", default=[], help="an emotion; repeatable"
-    )
-
-
-def _basis(made: ArgumentParser) -> None:
-    made.add_argument(
-        "--basis",
-        choices=("solved", "sculpted"),
-        default="solved",
-        help="displacement fields solved with finite elements, or sculpted by hand for the default face (solved)",
-    )
-
-
-def _render(made: ArgumentParser) -> None:
-    _project(made)
-    made.add_argument("out", metavar="OUT.png", type=Path, help="the picture to write")
-    _expression(made)
-    _basis(made)
-    made.add_argument("--view", choices=tuple(VIEW_TITLES), default="front", help="where to look from (front)")
-    made.add_argument("--size", metavar="WIDTHxHEIGHT", type=size, default=(1280, 960), help="in pixels (1280x960)")
-    made.add_argument(
-        "--show",
-        metavar="LIST",
-        type=overlays,
-        default=frozenset(),
-        help=f"what to draw with the skin, separated by commas: {', '.join(OVERLAYS)}",
-    )
-    made.add_argument(
-        "--linear",
-        action="store_true",
-        help="draw the pure linear sum of the fields: no arc of the jaw, nothing that lids and lips meet",
-    )
-
-
-def _export(made: ArgumentParser) -> None:
-    _project(made)
-    made.add_argument("out", metavar="OUT", type=Path, help="the file to write: .glb, .npz, .obj or .ply")
-    _expression(made)
-    _basis(made)
-
-
-def _written(made: ArgumentParser) -> None:
-    made.add_argument("--format", choices=tuple(WEIGHT_EXPORTS), help="of weights (the first that the suffix allows)")
-    made.add_argument("--fps", metavar="RATE", type=rate, help="frames per second (those of the project)")
-
-
-def _animate(made: ArgumentParser) -> None:
-    _project(made)
-    made.add_argument("out", metavar="OUT", type=Path, help="the file to write: .risorius, .csv or .fap")
-    made.add_argument(
-        "--capture", metavar="FILE", type=Path, action="append", default=[], help="a recording to bring in; repeatable"
-    )
-    made.add_argument("--table", metavar="FILE", type=Path, help="how its channels become action units")
-    made.add_argument(
-        "--speech", metavar="FILE", type=Path, action="append", default=[], help="phonemes to bring in; repeatable"
-    )
-    made.add_argument("--rate", metavar="RATE", type=rate, help="frames per second of what is brought in")
-    _written(made)
-
-
-def _demo(made: ArgumentParser) -> None:
-    made.add_argument("out", metavar="OUT", type=Path, help="the file to write: .risorius, .csv or .fap")
-    made.add_argument("--face", metavar="NAME", help=f"which face: {', '.join(face_keys())} (the first if not given)")
-    _written(made)
-
-
-def _gallery(made: ArgumentParser) -> None:
-    _project(made)
-    made.add_argument("out", metavar="OUT.png", type=Path, help="the picture to write")
-    _basis(made)
-
-
-def _edit(made: ArgumentParser) -> None:
-    made.add_argument("project", metavar="PROJECT", nargs="?", type=Path, help="a .risorius file to open")
-
-
 COMMANDS = (
     Command(
-        "new", "begin a project on one of the faces that ship", _new, ("smile.risorius", "old.risorius --face dayo")
+        "new", "begin a project on one of the faces that ship", of_new, ("smile.risorius", "old.risorius --face dayo")
     ),
-    Command("solve", "solve all action units and keep the result for later commands", _project, ("smile.risorius",)),
-    Command("info", "show the figures of a project", _info, ("smile.risorius", "smile.risorius --json")),
+    Command("solve", "solve all action units and keep the result for later commands", of_project, ("smile.risorius",)),
+    Command("info", "show the figures of a project", of_info, ("smile.risorius", "smile.risorius --json")),
     Command(
         "render",
         "draw an expression into a PNG picture, without a window",
-        _render,
+        of_render,
         (
             "smile.risorius smile.png --au 12=0.8 --au 1L=0.5",
             "smile.risorius fear.png --emotion fear=1 --view three-quarter --size 1920x1080",
@@ -228,15 +133,23 @@ COMMANDS = (
     Command(
         "export",
         "write the face for other programs, in the format of the file's suffix",
-        _export,
-        ("smile.risorius smile.glb", "smile.risorius fields.npz", "smile.risorius fear.obj --emotion fear=1"),
+        of_export,
+        (
+            "smile.risorius smile.glb",
+            "smile.risorius phone.glb --shapes clip --most 8",
+            "smile.risorius fear.obj --emotion fear=1",
+            "smile.risorius frames.ply --sequence --fps 24 --range 0 2.5",
+        ),
         FORMATS + WEIGHTS,
     ),
     Command(
         "animate",
-        "bring captures and speech into a project, and write what happens over time",
-        _animate,
+        "film the animation of a project, or write it otherwise, with captures and speech brought in",
+        of_animate,
         (
+            "smile.risorius smile.mp4",
+            "smile.risorius smile.webm --size 1920x1080 --fps 60 --view three-quarter --antialias finest",
+            "smile.risorius still.mp4 --turntable --range 0 6",
             "smile.risorius played.risorius --capture take.csv",
             "smile.risorius weights.csv --capture take.csv --format live-link",
             "smile.risorius spoken.risorius --speech line.TextGrid",
@@ -247,15 +160,15 @@ COMMANDS = (
     Command(
         "demo",
         "write a piece of twenty seconds: seven emotions, a spoken line, blinks",
-        _demo,
-        ("demo.risorius", "demo.csv --format arkit"),
+        of_demo,
+        ("demo.mp4", "demo.risorius", "demo.csv --format arkit"),
     ),
     Command(
         "gallery",
         "draw all action units and emotions on one sheet",
-        _gallery,
+        of_gallery,
         ("smile.risorius sheet.png", "smile.risorius by-hand.png --basis sculpted"),
     ),
-    Command("edit", "open the editor", _edit, ("", "smile.risorius")),
+    Command("edit", "open the editor", of_edit, ("", "smile.risorius")),
 )
 """Everything that the command line can do."""

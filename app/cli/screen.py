@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
+from app.film.shoot import Draw
 from app.view_state import ViewName
 from facemodel.actions import Expression
 from facemodel.project import Project
@@ -54,3 +55,4 @@ class Screen:
     render: Render
     gallery: Gallery
     edit: Edit
+    frames: Draw

@@ -58,3 +58,10 @@ def overlays(text: str) -> frozenset[str]:
         if name not in OVERLAYS:
             raise ArgumentTypeError(f"there is nothing called “{name}” to show; choose from {', '.join(OVERLAYS)}")
     return names
+
+
+def count(text: str) -> int:
+    """A whole number above nothing."""
+    if not re.fullmatch(r"0*[1-9]\d{0,8}", text.strip(), re.ASCII):
+        raise ArgumentTypeError(f"“{text}” is not a whole number above 0")
+    return int(text)

@@ -2,7 +2,7 @@
 
 import dataclasses
 import json
-from collections.abc import Set
+from collections.abc import Iterator, Set
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +14,14 @@ from hypothesis import strategies as st
 from app.cli import Screen, main
 from app.cli.expression import asked_expression
 from app.errors import NumberError
+from app.film import Film
 from facemodel.actions import Expression
+from facemodel.animation.take import Take
 from facemodel.cache import cached_solution
 from facemodel.errors import UnknownNameError
 from facemodel.faces import face_keys
 from facemodel.io.export import EXPORTS
+from facemodel.io.film import Picture
 from facemodel.io.project_file import load_project, project_bytes, save_project
 from facemodel.project import Project, Settings
 from facemodel.projects import new_project
@@ -56,9 +59,13 @@ class Paper:
         self.asked.append({"edit": path})
         return 0
 
+    def frames(self, take: Take, solution: Solution, film: Film) -> Iterator[Picture]:
+        self.asked.append({"film": film, "fields": solution.basis.names, "times": take.sampled.times.tolist()})
+        return iter(np.full((film.size[1], film.size[0], 3), frame, np.uint8) for frame in range(len(take)))
+
     @property
     def screen(self) -> Screen:
-        return Screen(self.render, self.gallery, self.edit)
+        return Screen(self.render, self.gallery, self.edit, self.frames)
 
 
 @pytest.fixture
@@ -213,6 +220,7 @@ def test_the_basis_sculpted_by_hand_can_be_asked_for(tmp_path: Path) -> None:
         lambda _project, solution, *_: origins.append(solution.basis.origin),
         lambda _project, solution, _path: origins.append(solution.basis.origin),
         lambda _path: 0,
+        lambda *_: iter(()),
     )
     assert main(["gallery", str(path), str(tmp_path / "sheet.png"), "--basis", "sculpted"], screen) == 0
     assert main(["render", str(path), str(tmp_path / "face.png"), "--basis", "sculpted"], screen) == 0

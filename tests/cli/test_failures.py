@@ -17,7 +17,7 @@ def not_drawn(*_: object) -> NoReturn:
     raise AssertionError("nothing may be drawn after a failure")
 
 
-NOTHING = Screen(not_drawn, not_drawn, not_drawn)
+NOTHING = Screen(not_drawn, not_drawn, not_drawn, not_drawn)
 
 
 @pytest.fixture
@@ -125,8 +125,10 @@ def test_projects_that_cannot_be_opened(
         ("render", "", "end in .png"),
         ("gallery", "none/a.png", "there is no folder"),
         ("gallery", "sheet", "end in .png"),
+        ("animate", "none/a.mp4", "there is no folder"),
+        ("animate", "a.avi", "animations are in .mp4, .webm, .png, "),
         ("export", "none/a.glb", "there is no folder"),
-        ("export", "a.fbx", "end in .glb, .npz, .obj or .ply"),
+        ("export", "a.fbx", "end in .glb, .usdc, .usda, .npz, .obj or .ply"),
         ("export", "smile.risorius/a.glb", "there is no folder"),
         ("new", "none/a.risorius", "there is no folder"),
         ("new", "", "is a folder"),
@@ -182,5 +184,8 @@ def test_an_interrupt_ends_with_130(smile: Path, tmp_path: Path, capsys: pytest.
     def interrupted(*_: object) -> NoReturn:
         raise KeyboardInterrupt
 
-    assert main(["render", str(smile), str(tmp_path / "a.png")], Screen(interrupted, not_drawn, not_drawn)) == 130
+    assert (
+        main(["render", str(smile), str(tmp_path / "a.png")], Screen(interrupted, not_drawn, not_drawn, not_drawn))
+        == 130
+    )
     assert capsys.readouterr().err.splitlines()[-1] == "risorius: stopped"
