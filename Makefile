@@ -5,12 +5,13 @@ PYTHON := .venv/bin/python
 # Settings of another Python must not leak into ours.
 unexport PYTHONPATH PYTHONHOME VIRTUAL_ENV
 
-.PHONY: help run test lint format bench pictures lock clean setup setup-display
+.PHONY: help run test lint format bench check-exports pictures lock clean setup setup-display
 
 help:
 	@echo "make run     open the editor; without a display, leave pictures and a .glb in output/"
 	@echo "make test    lint, types, import rules and all tests"
 	@echo "make bench   measure, and write the figures to benchmarks/results/"
+	@echo "make check-exports  play exported faces in three.js, Blender and the validators that are installed"
 	@echo "make pictures  take the pictures of README and docs anew"
 	@echo "make lint    only ruff, mypy and the import rules"
 	@echo "make format  put the code into ruff's format"
@@ -35,6 +36,9 @@ format: setup
 
 bench: setup-display
 	@$(if $(DISPLAY),,.ci/with-display) $(PYTHON) -m benchmarks
+
+check-exports: setup
+	@$(PYTHON) -m tests.clients output/clients
 
 pictures: setup-display
 	@.ci/with-display $(PYTHON) -m docs.pictures
