@@ -142,6 +142,10 @@ class Document(DocumentState):
         """Begin a project on the head of a shipped face, with no muscle, no paint and no action unit."""
         self._begin(bare_project(face_key), None)
 
+    def begin(self, project: Project) -> None:
+        """Begin with a project that was made elsewhere, an example say; history and file are forgotten."""
+        self._begin(project, None)
+
     def open(self, path: Path) -> None:
         """Read a project; if that fails all stays as it was."""
         self._begin(load_project(path), path)

@@ -36,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors="replace")  # an old code page must not turn a sentence into a crash
-    screen = Screen(render=render, gallery=gallery, edit=edit, frames=frames)
+    screen = Screen(render=render, gallery=gallery, edit=edit, frames=frames, displays=display_answers)
     return run_command(sys.argv[1:] if arguments is None else arguments, screen)
 
 
@@ -76,7 +76,7 @@ def frames(take: Take, solution: Solution, film: Film) -> Iterator[Picture]:
     return film_frames(take, solution, film)
 
 
-def edit(path: Path | None) -> int:
+def edit(path: Path | None, project: Project | None = None) -> int:
     """Open the editor, see `ui.window.main.run`."""
     if not display_answers():
         raise ScreenError(
@@ -87,7 +87,7 @@ def edit(path: Path | None) -> int:
         from ui.window.main import run
     except ImportError as error:
         raise missing_library(error) from error
-    return run(path)
+    return run(path, project)
 
 
 def display_answers() -> bool:

@@ -6,6 +6,7 @@ from app.actions.action import Action
 from app.actions.content import content_actions
 from app.actions.context import Context
 from app.actions.edit import EDIT_ACTIONS
+from app.actions.examples import EXAMPLE_ACTIONS
 from app.actions.files import FILE_ACTIONS, bare_actions, new_actions, recent_actions
 from app.actions.looking import LOOKING_ACTIONS
 from app.actions.solving import SOLVING_ACTIONS, face_actions
@@ -21,6 +22,7 @@ def all_actions(context: Context) -> tuple[Action, ...]:
         *new_actions(),
         *bare_actions(),
         *recent_actions(context),
+        *EXAMPLE_ACTIONS,
         *FILE_ACTIONS,
         *EDIT_ACTIONS,
         *LOOKING_ACTIONS,

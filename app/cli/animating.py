@@ -4,20 +4,17 @@ from __future__ import annotations
 
 import sys
 from argparse import Namespace
-from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
-from app.authoring.importing import with_capture, with_sound, with_spoken
+from app.authoring.importing import with_capture, with_spoken
 from app.cli.commands import solved
 from app.cli.filming import asked_span, film
 from app.cli.screen import Screen
-from app.speech import espeak_program, spoken_sound
-from facemodel.animation.demo import SPOKEN_AT, TEXT, demo_animation
+from app.examples import demo_project, examples_folder
 from facemodel.animation.evaluation import sampled
-from facemodel.animation.sound import voiced_span
 from facemodel.errors import ProjectError
 from facemodel.faces import DEFAULT_FACE
-from facemodel.io.audio import write_sound
 from facemodel.io.disk import checked_target
 from facemodel.io.film import FILMS
 from facemodel.io.project_file import load_project, save_project
@@ -26,7 +23,6 @@ from facemodel.io.weights import read_capture
 from facemodel.io.weights.mapping_file import load_mapping
 from facemodel.io.weights.writing import WEIGHT_EXPORTS, Animated, export_weights
 from facemodel.project import Project
-from facemodel.projects import new_project
 
 PROJECT_SUFFIX = ".risorius"
 
@@ -52,27 +48,30 @@ def animate(asked: Namespace, screen: Screen) -> int:
     return 0
 
 
+DEMO_FILM = Path("risorius-demo.mp4")
+"""Where the piece goes if nobody says where and there is no display to show it on."""
+
+
 def demo(asked: Namespace, screen: Screen) -> int:
-    """Write the piece that shows what a face can do."""
-    checked_target(asked.out)
-    project = new_project(asked.face or DEFAULT_FACE)
-    voice = asked.out.with_suffix(".wav")
-    if asked.out.suffix.lower() == PROJECT_SUFFIX and espeak_program() is not None:
-        played = _voiced(project, voice)
-        print(f"Wrote {voice}: a voice by eSpeak NG")
-    else:
-        played = replace(project, animation=demo_animation(project.units))
-    print(f"Wrote {asked.out}: {_written(played, asked, screen, asked.out.absolute().parent)}")
+    """Open the piece that shows what a face can do, or write it."""
+    face = asked.face or DEFAULT_FACE
+    if asked.out is None and screen.displays():
+        return screen.edit(None, demo_project(examples_folder() / "demo-line.wav", face))
+    if asked.out is None:
+        print(f"There is no display here, so the demo is filmed into {DEMO_FILM}")
+        asked.out = DEMO_FILM
+    out: Path = asked.out
+    checked_target(out)
+    home = out.absolute().parent
+    if out.suffix.lower() == PROJECT_SUFFIX:
+        # A project keeps its voice beside it; what is played once does without.
+        voice = checked_target(out.with_suffix(".wav"))
+        print(f"Wrote {out}: {_written(demo_project(voice, face, home), asked, screen, home)}")
+        return 0
+    with TemporaryDirectory() as folder:
+        project = demo_project(Path(folder) / "line.wav", face)
+        print(f"Wrote {out}: {_written(project, asked, screen, home)}")
     return 0
-
-
-def _voiced(project: Project, voice: Path) -> Project:
-    """The piece with a voice that says the line, written beside it."""
-    checked_target(voice)
-    sound = spoken_sound(TEXT)
-    write_sound(sound, voice)
-    played = replace(project, animation=demo_animation(project.units, voiced_span(sound)))
-    return with_sound(played, voice, sound, voice.parent, SPOKEN_AT)
 
 
 def _written(project: Project, asked: Namespace, screen: Screen, folder: Path) -> str:

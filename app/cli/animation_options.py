@@ -30,17 +30,19 @@ def of_animate(made: ArgumentParser) -> None:
     made.add_argument("--rate", metavar="RATE", type=rate, help="frames per second of what is brought in")
     _of_weights(made)
     of_frames(made)
-    _of_film(made)
+    _of_film(made, close=False)
     of_basis(made)
 
 
 def of_demo(made: ArgumentParser) -> None:
     """``risorius demo``."""
-    made.add_argument("out", metavar="OUT", type=Path, help="the film, project or weights to write")
+    made.add_argument(
+        "out", metavar="OUT", nargs="?", type=Path, help="the film, project or weights to write; without it, it opens"
+    )
     of_face(made)
     _of_weights(made)
     of_frames(made)
-    _of_film(made)
+    _of_film(made, close=True)
     of_basis(made)
 
 
@@ -77,11 +79,11 @@ def _of_weights(made: ArgumentParser) -> None:
     made.add_argument("--format", choices=tuple(WEIGHT_EXPORTS), help="of weights (the first that the suffix allows)")
 
 
-def _of_film(made: ArgumentParser) -> None:
+def _of_film(made: ArgumentParser, close: bool) -> None:
     film = made.add_argument_group("films")
     film.add_argument("--size", metavar="WIDTHxHEIGHT", type=size, default=(1280, 720), help="in pixels (1280x720)")
     of_view(film)  # type: ignore[arg-type]
-    film.add_argument("--close", action="store_true", help="the face alone, without crown and neck")
+    film.add_argument("--close", action=BooleanOptionalAction, default=close, help="the face without crown and neck")
     film.add_argument(
         "--turntable", metavar="TURNS", type=float, nargs="?", const=1.0, default=0.0, help="turn the head round (once)"
     )

@@ -159,9 +159,9 @@ COMMANDS = (
     ),
     Command(
         "demo",
-        "write a piece of twenty seconds: seven emotions, a spoken line, blinks",
+        "open or film a piece of twenty seconds: seven emotions, a spoken line, blinks",
         of_demo,
-        ("demo.mp4", "demo.risorius", "demo.csv --format arkit"),
+        ("", "demo.mp4 --size 1920x1080", "demo.risorius", "demo.csv --format arkit"),
     ),
     Command(
         "gallery",

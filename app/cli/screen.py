@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Callable, Set
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
@@ -44,15 +44,22 @@ class Gallery(Protocol):
 class Edit(Protocol):
     """Opens the editor."""
 
-    def __call__(self, path: Path | None) -> int:
-        """Open a project, or the default face, and return the exit status when the window is closed."""
+    def __call__(self, path: Path | None, project: Project | None = None) -> int:
+        """Open a file, or a project that has none, or the default face; return the exit status when it is closed."""
 
 
 @dataclass(frozen=True)
 class Screen:
-    """The commands that draw."""
+    """The commands that draw.
+
+    Attributes
+    ----------
+    render, gallery, edit, frames : see their types
+    displays : whether there is a display on which the editor can open
+    """
 
     render: Render
     gallery: Gallery
     edit: Edit
     frames: Draw
+    displays: Callable[[], bool]

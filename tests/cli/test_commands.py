@@ -35,6 +35,8 @@ COMMANDS = ("new", "solve", "info", "render", "export", "animate", "demo", "gall
 class Paper:
     """Notes down what it is asked to draw."""
 
+    display = True
+
     def __init__(self) -> None:
         self.asked: list[dict[str, Any]] = []
 
@@ -55,8 +57,8 @@ class Paper:
     def gallery(self, project: Project, solution: Solution, path: Path) -> None:
         self.asked.append({"fields": solution.basis.names, "path": path})
 
-    def edit(self, path: Path | None) -> int:
-        self.asked.append({"edit": path})
+    def edit(self, path: Path | None, project: Project | None = None) -> int:
+        self.asked.append({"edit": path if project is None else project})
         return 0
 
     def frames(self, take: Take, solution: Solution, film: Film) -> Iterator[Picture]:
@@ -65,7 +67,7 @@ class Paper:
 
     @property
     def screen(self) -> Screen:
-        return Screen(self.render, self.gallery, self.edit, self.frames)
+        return Screen(self.render, self.gallery, self.edit, self.frames, lambda: self.display)
 
 
 @pytest.fixture
@@ -219,8 +221,9 @@ def test_the_basis_sculpted_by_hand_can_be_asked_for(tmp_path: Path) -> None:
     screen = Screen(
         lambda _project, solution, *_: origins.append(solution.basis.origin),
         lambda _project, solution, _path: origins.append(solution.basis.origin),
-        lambda _path: 0,
+        lambda *_: 0,
         lambda *_: iter(()),
+        lambda: False,
     )
     assert main(["gallery", str(path), str(tmp_path / "sheet.png"), "--basis", "sculpted"], screen) == 0
     assert main(["render", str(path), str(tmp_path / "face.png"), "--basis", "sculpted"], screen) == 0

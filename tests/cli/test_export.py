@@ -16,7 +16,7 @@ def unasked(*_: object) -> int:
     raise AssertionError("nothing is drawn")
 
 
-NOTHING = Screen(unasked, unasked, unasked, unasked)
+NOTHING = Screen(unasked, unasked, unasked, unasked, unasked)
 
 
 @pytest.fixture

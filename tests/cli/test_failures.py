@@ -17,7 +17,7 @@ def not_drawn(*_: object) -> NoReturn:
     raise AssertionError("nothing may be drawn after a failure")
 
 
-NOTHING = Screen(not_drawn, not_drawn, not_drawn, not_drawn)
+NOTHING = Screen(not_drawn, not_drawn, not_drawn, not_drawn, not_drawn)
 
 
 @pytest.fixture
@@ -184,8 +184,6 @@ def test_an_interrupt_ends_with_130(smile: Path, tmp_path: Path, capsys: pytest.
     def interrupted(*_: object) -> NoReturn:
         raise KeyboardInterrupt
 
-    assert (
-        main(["render", str(smile), str(tmp_path / "a.png")], Screen(interrupted, not_drawn, not_drawn, not_drawn))
-        == 130
-    )
+    screen = Screen(interrupted, not_drawn, not_drawn, not_drawn, not_drawn)
+    assert main(["render", str(smile), str(tmp_path / "a.png")], screen) == 130
     assert capsys.readouterr().err.splitlines()[-1] == "risorius: stopped"

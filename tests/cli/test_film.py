@@ -41,7 +41,7 @@ class Camera:
 
     @property
     def screen(self) -> Screen:
-        return Screen(unasked, unasked, unasked, self.frames)
+        return Screen(unasked, unasked, unasked, self.frames, unasked)
 
 
 def unasked(*_: object) -> int:

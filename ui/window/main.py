@@ -14,6 +14,7 @@ from app.preferences import Preferences
 from app.settings import UserSettings
 from facemodel.errors import RisoriusError
 from facemodel.io.project_file import load_project
+from facemodel.project import Project
 from facemodel.projects import new_project
 from ui.theme.apply import apply_theme
 from ui.theme.roles import THEMES
@@ -22,8 +23,13 @@ from ui.window.preparation import Preparation
 from ui.window.unforeseen import Unforeseen
 
 
-def run(path: Path | None = None) -> int:
-    """Open the editor, on a project or on the default face, and stay until it is closed.
+def run(path: Path | None = None, project: Project | None = None) -> int:
+    """Open the editor and stay until it is closed.
+
+    Parameters
+    ----------
+    path : the file to open
+    project : what to open that has no file, if there is no path; the default face without either
 
     Returns
     -------
@@ -33,7 +39,7 @@ def run(path: Path | None = None) -> int:
     end_by_ctrl_c()
     settings = UserSettings()
     follow_theme(app, settings)
-    document, complaint = first_document(path)
+    document, complaint = first_document(path, project)
     preparation = Preparation()
     preparation.begin(lambda: look_of(document.project.face))
     # VTK takes a second to load; the face is made ready meanwhile.
@@ -78,10 +84,10 @@ def follow_theme(app: QApplication, settings: UserSettings) -> None:
     settings.changed.connect(dress)
 
 
-def first_document(path: Path | None) -> tuple[Document, str]:
+def first_document(path: Path | None, project: Project | None = None) -> tuple[Document, str]:
     """The document to start with, and a sentence for the user if ``path`` cannot be opened (else empty)."""
     if path is None:
-        return Document(new_project()), ""
+        return Document(project or new_project()), ""
     try:
         return Document(load_project(path), path), ""
     except RisoriusError as error:
