@@ -84,6 +84,9 @@ class Host(Protocol):
     def save_picture(self, path: Path) -> None:
         """Write what the viewport shows as a PNG; raises `RisoriusError` if that fails."""
 
+    def show_export(self) -> None:
+        """Open the page that exports the animation."""
+
     def frame_head(self) -> None:
         """Show the whole head."""
 

@@ -8,13 +8,13 @@ from app.actions.action import Action
 from app.actions.context import Context, FileQuestion
 from app.actions.paths import folder, with_suffix
 from facemodel.errors import RisoriusError
-from facemodel.io.export import EXPORTS, export_project
+from facemodel.io.export import EXPORTS, Asked, export_project
 
 PICTURE = ".png"
 
 
 def export_to(context: Context, path: Path) -> None:
-    """Write the face as it is shown in the format of the path's suffix.
+    """Write the face as it is shown in the format of the path's suffix, without its animation.
 
     Raises
     ------
@@ -25,7 +25,7 @@ def export_to(context: Context, path: Path) -> None:
     document.commit()
     if document.solution is None or document.stale:
         raise RisoriusError("There is nothing to export before this face is solved; choose “Solve now” first.")
-    export_project(document.project, document.solution, path)
+    export_project(document.project, document.solution, path, Asked(animated=False))
     context.host.show_message(f"Exported {path.name}")
 
 
@@ -66,6 +66,15 @@ EXPORT_ACTIONS = (
             enabled=_solved,
         )
         for suffix, export in EXPORTS.items()
+    ),
+    Action(
+        "file.export-animation",
+        "Animation…",
+        lambda context: context.host.show_export(),
+        menu=("File", "Export"),
+        group=1,
+        shortcut="Ctrl+Shift+E",
+        hint="Film the animation, or write it as glTF, USD or numbered meshes",
     ),
     Action(
         "file.screenshot",

@@ -1,4 +1,4 @@
-"""Films of an animation: what is asked for, and how one is made; what draws is handed in."""
+"""Films of an animation, and other exports of it: what is asked for, and how it is made; what draws is handed in."""
 
 from app.film.film import ANTIALIAS, DEFAULT_FILM, Antialias, Film, FilmError
 from app.film.shoot import Draw, shoot

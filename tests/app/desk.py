@@ -53,6 +53,9 @@ class Desk:
     def save_picture(self, path: Path) -> None:
         self.calls.append(("save_picture", path))
 
+    def show_export(self) -> None:
+        self.calls.append("show_export")
+
     def focus_unit(self, number: int) -> None:
         self.calls.append(("focus_unit", number))
 

@@ -13,9 +13,11 @@ from app.authoring.fitted_muscles import Fitted
 from facemodel.actions import ActionUnit
 from facemodel.project import Project
 from ui.panels.actions.merge_page import ask_merge
+from ui.panels.export.page import ExportPage
 from ui.panels.muscles.fitting_page import ask_fitting
 from ui.window import dialogs
 from ui.window.about_page import about_page
+from ui.window.delivery import UiThread
 from ui.window.shortcut_page import ShortcutPage
 
 if TYPE_CHECKING:
@@ -32,6 +34,7 @@ class WindowHost:
 
     def __init__(self, window: MainWindow) -> None:
         self._window = window
+        self._export: ExportPage | None = None
 
     def ask_path(self, question: FileQuestion) -> Path | None:
         """A file; none if the person thought better of it."""
@@ -64,6 +67,16 @@ class WindowHost:
     def save_picture(self, path: Path) -> None:
         """Write what the viewport shows as a PNG; raises `RisoriusError` if that fails."""
         self._window.viewport.save_picture(path)
+
+    def show_export(self) -> None:
+        """Open the page that exports the animation; there is one, so that it remembers what was chosen."""
+        if self._export is None:
+            self._export = ExportPage(self._window, self._window.context, UiThread(self._window).deliver)
+            self._window.closed.connect(self._export.shut)
+        self._export.refresh()
+        self._export.show()
+        self._export.raise_()
+        self._export.activateWindow()
 
     def frame_head(self) -> None:
         """Show the whole head."""

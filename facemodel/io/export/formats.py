@@ -44,7 +44,7 @@ class Export:
     Attributes
     ----------
     title : what people call it
-    holds : what ends up in the file
+    holds : what ends up in the file of a still face
     write : writes a project to a stream
     animates : whether one file holds an animation
     frame : writes one frame of a sequence; none where a sequence makes no sense
@@ -75,10 +75,10 @@ def _plain(write: Callable[[Project, Solution, BinaryIO], None]) -> Write:
 
 EXPORTS: Mapping[str, Export] = {
     ".glb": Export(
-        "glTF binary", "the whole head with morph targets, and its animation if it has one, in metres", write_glb, True
+        "glTF binary", "the whole head at rest with one morph target per action unit, in metres", write_glb, True
     ),
     ".usdc": Export(
-        "USD binary", "the whole head with blend shapes, and its animation if it has one, in metres", write_usdc, True
+        "USD binary", "the whole head at rest with one blend shape per action unit, in metres", write_usdc, True
     ),
     ".usda": Export("USD text", "the same as text that people can read", write_usda, True),
     ".npz": Export("NumPy arrays", "the neutral skin and every displacement field, in millimetres", _plain(write_npz)),

@@ -1,0 +1,1 @@
+"""The page that exports an animation: as a film, a model that plays, or numbered meshes."""

@@ -1,0 +1,67 @@
+"""How far an export is, and how long it still takes."""
+
+from __future__ import annotations
+
+import time
+
+from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
+
+from ui.theme.metrics import GRID
+
+STEPS = 1000
+TELLING = 0.02
+"""Share of the work after which what is left can be told."""
+
+
+class ProgressLine(QWidget):
+    """A bar with a line of text under it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._since = 0.0
+        self.bar = QProgressBar()
+        self.bar.setRange(0, STEPS)
+        self.bar.setTextVisible(False)
+        self.bar.setFixedHeight(GRID - 4)
+        self.bar.setAccessibleName("Progress of the export")
+        self.text = QLabel()
+        self.text.setWordWrap(True)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(GRID)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.text)
+        self.rest("")
+
+    def begin(self) -> None:
+        """The work has begun."""
+        self._since = time.monotonic()
+        self.show_share("Getting ready", 0.0)
+
+    def show_share(self, text: str, share: float) -> None:
+        """Show what is being done, the share that is done, and what is left of the time."""
+        self.bar.setValue(round(STEPS * share))
+        self.bar.setVisible(True)
+        self._say(f"{text}{_left(time.monotonic() - self._since, share)}", "muted")
+
+    def rest(self, text: str, wrong: bool = False) -> None:
+        """Say how it stands while nothing is done; what is wrong in the colour of errors."""
+        self.bar.setVisible(False)
+        self._say(text, "error" if wrong else "muted")
+
+    def _say(self, text: str, role: str) -> None:
+        self.text.setText(text)
+        if self.text.property("role") != role:
+            self.text.setProperty("role", role)
+            self.text.style().unpolish(self.text)
+            self.text.style().polish(self.text)
+
+
+def _left(gone: float, share: float) -> str:
+    """The time that is left as people say it; nothing before it can be told."""
+    if share < TELLING:
+        return ""
+    left = round(gone * (1 - share) / share)
+    if left < 60:
+        return f" · {left} s left"
+    return f" · {left // 60} min {left % 60:02} s left"
