@@ -8,27 +8,22 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from app.authoring.importing import with_capture, with_spoken
-from app.cli.commands import solved
-from app.cli.filming import asked_span, film
+from app.cli.ordering import export_animation
 from app.cli.screen import Screen
 from app.examples import demo_project, examples_folder
-from facemodel.animation.evaluation import sampled
-from facemodel.errors import ProjectError
 from facemodel.faces import DEFAULT_FACE
 from facemodel.io.disk import checked_target
-from facemodel.io.film import FILMS
 from facemodel.io.project_file import load_project, save_project
 from facemodel.io.speech import read_speech
 from facemodel.io.weights import read_capture
 from facemodel.io.weights.mapping_file import load_mapping
-from facemodel.io.weights.writing import WEIGHT_EXPORTS, Animated, export_weights
 from facemodel.project import Project
 
 PROJECT_SUFFIX = ".risorius"
 
 
 def animate(asked: Namespace, screen: Screen) -> int:
-    """Bring captures and speech into a project, and write what comes of it, as a film where the suffix is of one."""
+    """Bring captures and speech into a project, and write or export what comes of it, by the suffix."""
     checked_target(asked.out)
     project = load_project(asked.project)
     notes: list[str] = []
@@ -75,29 +70,9 @@ def demo(asked: Namespace, screen: Screen) -> int:
 
 
 def _written(project: Project, asked: Namespace, screen: Screen, folder: Path) -> str:
-    """Write a project, its weights over time or a film of it, by the file's suffix; what was written, in words."""
+    """Write a project or export its animation, by the file's suffix; what was written, in words."""
     out: Path = asked.out
-    if out.suffix.lower() in FILMS:
-        return film(project, asked, screen, folder)
     if out.suffix.lower() == PROJECT_SUFFIX:
         save_project(project, out)
         return f"{len(project.animation.tracks)} tracks, {project.animation.duration:g} seconds"
-    chosen = asked.format or next((n for n, each in WEIGHT_EXPORTS.items() if each.suffix == out.suffix.lower()), None)
-    if chosen is None:
-        suffixes = ", ".join([*FILMS, *sorted({each.suffix for each in WEIGHT_EXPORTS.values()} | {PROJECT_SUFFIX})])
-        raise ProjectError(f"“{out}” cannot be written: animations are in {suffixes} files.")
-    return _weights(project, asked, chosen)
-
-
-def _weights(project: Project, asked: Namespace, chosen: str) -> str:
-    """Write the weights over time in one of their formats."""
-    out: Path = asked.out
-    span = asked_span(asked.range, asked.fps or project.animation.rate)
-    clip = sampled(project.animation, project.units, asked.fps, span)
-    if not clip.channels:
-        raise ProjectError(
-            f"“{out}” would be empty, since nothing in the project moves; bring in a capture with --capture."
-        )
-    basis = solved(project, asked.basis).basis if WEIGHT_EXPORTS[chosen].needs_basis else None
-    export_weights(Animated(clip, project.units, project.face, basis, out.stem), out, chosen)
-    return f"{len(clip.times)} frames at {clip.rate:g} a second, {WEIGHT_EXPORTS[chosen].holds}"
+    return export_animation(project, asked, screen, folder)

@@ -19,7 +19,7 @@ BACKDROPS = ("dark", "light")
 def of_animate(made: ArgumentParser) -> None:
     """``risorius animate``."""
     of_project(made)
-    made.add_argument("out", metavar="OUT", type=Path, help="the film, project or weights to write")
+    made.add_argument("out", metavar="OUT", type=Path, help="the file to write; its suffix says what it is")
     made.add_argument(
         "--capture", metavar="FILE", type=Path, action="append", default=[], help="a recording to bring in; repeatable"
     )
@@ -30,18 +30,18 @@ def of_animate(made: ArgumentParser) -> None:
     made.add_argument("--rate", metavar="RATE", type=rate, help="frames per second of what is brought in")
     _of_weights(made)
     of_frames(made)
+    _of_shapes(made)
     _of_film(made, close=False)
     of_basis(made)
 
 
 def of_demo(made: ArgumentParser) -> None:
     """``risorius demo``."""
-    made.add_argument(
-        "out", metavar="OUT", nargs="?", type=Path, help="the film, project or weights to write; without it, it opens"
-    )
+    made.add_argument("out", metavar="OUT", nargs="?", type=Path, help="the file to write; without it, the piece opens")
     of_face(made)
     _of_weights(made)
     of_frames(made)
+    _of_shapes(made)
     _of_film(made, close=True)
     of_basis(made)
 
@@ -55,13 +55,7 @@ def of_export(made: ArgumentParser) -> None:
     made.add_argument("--still", action="store_true", help="without the animation of the project")
     made.add_argument("--sequence", action="store_true", help="one numbered .obj or .ply for every frame")
     of_frames(made)
-    made.add_argument(
-        "--shapes",
-        choices=get_args(Shaping),
-        default="units",
-        help="of an animated model: its action units and what corrects them, or a few shapes made for the clip (units)",
-    )
-    made.add_argument("--most", metavar="N", type=count, help="shapes at most; viewers on phones take 8")
+    _of_shapes(made)
 
 
 def of_frames(made: ArgumentParser) -> None:
@@ -77,6 +71,16 @@ def of_frames(made: ArgumentParser) -> None:
 
 def _of_weights(made: ArgumentParser) -> None:
     made.add_argument("--format", choices=tuple(WEIGHT_EXPORTS), help="of weights (the first that the suffix allows)")
+
+
+def _of_shapes(made: ArgumentParser) -> None:
+    made.add_argument(
+        "--shapes",
+        choices=get_args(Shaping),
+        default="units",
+        help="of an animated model: its action units and what corrects them, or a few shapes made for the clip (units)",
+    )
+    made.add_argument("--most", metavar="N", type=count, help="shapes at most; viewers on phones take 8")
 
 
 def _of_film(made: ArgumentParser, close: bool) -> None:

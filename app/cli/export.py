@@ -8,8 +8,9 @@ from pathlib import Path
 
 from app.cli.commands import solved
 from app.cli.expression import asked_expression
-from app.cli.filming import asked_span
+from app.cli.ordering import asked_span
 from app.cli.progress import ProgressLine
+from app.film.order import counted
 from facemodel.io.disk import checked_target
 from facemodel.io.export import Asked, export_of, export_project, export_sequence
 from facemodel.io.project_file import load_project
@@ -28,7 +29,7 @@ def export(asked: Namespace) -> int:
     line = ProgressLine(sys.stderr)
     try:
         if asked.sequence:
-            said = f"{export_sequence(posed, solution, out, wanted, line)} numbered files"
+            said = counted(export_sequence(posed, solution, out, wanted, line), "numbered file")
         else:
             said = export_project(posed, solution, out, wanted, line)
     finally:

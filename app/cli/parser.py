@@ -47,6 +47,8 @@ formats:
   .mp4       a film, H.264 and AAC, which everything plays
   .webm      a film, VP9 and Opus, for the web
   .png       one picture per frame, OUT.0001.png and so on, without sound
+  .glb       a glTF model with morph targets and animated weights, .usdc and .usda the same as USD
+  .obj       one mesh per frame, OUT.0001.obj and so on; .ply the same with colours
   .risorius  the project with its animation
   .csv       weights, frame by frame: --format weights, arkit or live-link
   .fap       MPEG-4 face animation parameters, in units of this face
@@ -150,6 +152,7 @@ COMMANDS = (
             "smile.risorius smile.mp4",
             "smile.risorius smile.webm --size 1920x1080 --fps 60 --view three-quarter --antialias finest",
             "smile.risorius still.mp4 --turntable --range 0 6",
+            "smile.risorius phone.glb --shapes clip --most 8",
             "smile.risorius played.risorius --capture take.csv",
             "smile.risorius weights.csv --capture take.csv --format live-link",
             "smile.risorius spoken.risorius --speech line.TextGrid",

@@ -11,9 +11,10 @@ import pytest
 
 from app.film.elsewhere import WORKER, Errand, run_errand
 from app.film.film import Film, FilmError
-from app.film.order import KINDS, Order, order_of
+from app.film.order import KINDS, Order, kind_of, order_of
 from facemodel.io.export import EXPORTS, Asked, export_project
 from facemodel.io.film import FILMS
+from facemodel.io.weights.writing import WEIGHT_EXPORTS
 from facemodel.solution import Cancelled
 from tests.io.animated import PROJECT, SOLUTION
 
@@ -24,7 +25,7 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monk
 
 
 def errand(out: Path, asked: Asked = Asked(), film: Film = Film()) -> Errand:  # noqa: B008 - frozen values
-    return Errand(Order(out, film, asked), PROJECT, SOLUTION, out.parent)
+    return Errand(Order(out, kind_of(out).key, film, asked), PROJECT, SOLUTION, out.parent)
 
 
 def test_it_writes_what_the_editor_would_have_written(tmp_path: Path) -> None:
@@ -97,10 +98,10 @@ def test_the_worker_is_where_it_is_said_to_be(repository: Path) -> None:
 @pytest.mark.parametrize("film", [Film(), Film((64, 48), 60.0, (0.5, 1.5), "left", True, -1.0, "off", False, "light")])
 @pytest.mark.parametrize("asked", [Asked(), Asked(False, 24.0, (0.0, 1.0), "clip", 8)])
 def test_an_order_survives_its_way_to_another_process(film: Film, asked: Asked) -> None:
-    order = Order(Path("/tmp/ü b.mp4"), film, asked)
+    order = Order(Path("/tmp/ü b.mp4"), ".mp4", film, asked)
     assert order_of(json.loads(json.dumps(order.as_json()))) == order
 
 
 def test_every_format_that_can_hold_an_animation_can_be_ordered() -> None:
     able = {suffix for suffix, each in EXPORTS.items() if each.animates or each.frame is not None}
-    assert set(KINDS) == able | set(FILMS)
+    assert set(KINDS) == able | set(FILMS) | set(WEIGHT_EXPORTS)

@@ -51,8 +51,8 @@ def test_weights_are_written_at_the_rate_that_is_asked_for(smile: Path, tmp_path
 
 def test_what_does_not_fit_is_one_sentence(smile: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for words, says in (
-        ((smile, tmp_path / "a.csv"), "would be empty, since nothing in the project moves"),
-        ((smile, tmp_path / "a.mov", "--capture", GOLDEN / "weights.csv"), "animations are in"),
+        ((smile, tmp_path / "a.csv"), "nothing moves in this project"),
+        ((smile, tmp_path / "a.mov", "--capture", GOLDEN / "weights.csv"), "animations are exported to .mp4, .webm"),
         ((smile, tmp_path / "a.csv", "--capture", tmp_path / "none.csv"), "there is no such file"),
         ((smile, tmp_path / "a.fap", "--capture", GOLDEN / "weights.csv", "--format", "arkit"), "files end in .csv"),
     ):

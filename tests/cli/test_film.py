@@ -66,7 +66,7 @@ def test_a_film_shows_what_the_animation_plays_at_its_rate(tmp_path: Path, capsy
     assert camera.film == Film()
     assert camera.take.sampled.times == pytest.approx(np.arange(24) / 24)
     out, err = capsys.readouterr()
-    assert out.endswith("smile.mp4: 24 frames, 1.0 s\n")
+    assert out.endswith("smile.mp4: 24 frames, 1.00 s\n")
     assert err.splitlines()[-2:] == ["Filming", "Finishing the film"]
     with av.open(str(tmp_path / "smile.mp4")) as opened:
         assert opened.streams.video[0].frames == 24
@@ -159,3 +159,26 @@ def test_a_sound_that_is_gone_is_named(tmp_path: Path, capsys: pytest.CaptureFix
     assert main(words, Camera().screen) == 1
     assert "gone.wav” cannot be opened: there is no such file" in capsys.readouterr().err
     assert os.listdir(tmp_path) == ["smile.risorius"]
+
+
+@pytest.mark.parametrize(
+    ("out", "words", "says", "files"),
+    [
+        ("smile.glb", (), "25 frames, within", ["smile.glb"]),
+        ("smile.usdc", ("--shapes", "clip", "--most", "2"), "2 shapes, 25 frames", ["smile.usdc"]),
+        ("smile.obj", ("--range", "0", "2f"), "3 numbered files", [f"smile.000{n}.obj" for n in (1, 2, 3)]),
+        ("smile.ply", ("--range", "0", "0"), "1 numbered file\n", ["smile.0001.ply"]),
+        ("smile.csv", (), "25 frames at 24 a second, every animated channel", ["smile.csv"]),
+    ],
+)
+def test_an_animation_is_written_in_every_other_format_too(
+    tmp_path: Path, out: str, words: tuple[str, ...], says: str, files: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    animate(tmp_path, *words, out=out)
+    assert says in capsys.readouterr().out
+    assert sorted(os.listdir(tmp_path)) == sorted([*files, "smile.risorius"])
+
+
+def test_what_needs_no_displacement_is_not_solved_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    animate(tmp_path, out="smile.csv")
+    assert capsys.readouterr().err == ""

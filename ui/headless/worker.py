@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+from functools import partial
 from pathlib import Path
 from threading import Event, Thread
 from typing import IO, Any
@@ -13,8 +14,9 @@ from app.film.order import fulfil, order_of
 from facemodel.cache import solve_cached
 from facemodel.errors import RisoriusError
 from facemodel.io.project_file import load_project
+from facemodel.project import Project
 from facemodel.sculpting.corrected import Corrector
-from facemodel.solution import Cancelled
+from facemodel.solution import Cancelled, Progress, Solution
 from ui.launch import frames
 
 
@@ -36,15 +38,19 @@ def main(orders: IO[str], answers: IO[str]) -> int:
         snapshot = Path(told["project"])
         project = load_project(snapshot)
         snapshot.unlink()
-        solution = Corrector()(solve_cached(project, lambda text, _share: progress(text, 0.0)), project)
         folder = Path(told["folder"]) if told["folder"] else None
-        say(done=fulfil(order_of(told["order"]), project, solution, frames, folder, progress))
+        solve = partial(_solved, project, lambda text, _share: progress(text, 0.0))
+        say(done=fulfil(order_of(told["order"]), project, solve, frames, folder, progress))
     except RisoriusError as error:
         say(failed=str(error))
         return 1
     except (Cancelled, BrokenPipeError):
         return 1
     return 0
+
+
+def _solved(project: Project, progress: Progress) -> Solution:
+    return Corrector()(solve_cached(project, progress), project)
 
 
 def _wait_for_the_end(pipe: int, stopped: Event) -> None:

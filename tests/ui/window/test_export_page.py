@@ -72,7 +72,7 @@ def test_a_film_comes_as_it_was_asked_for(page: ExportPage, qtbot: QtBot, tmp_pa
     click(qtbot, page.export)
     assert not page.frames.isEnabled()
     assert page.stop.isVisible()
-    assert finished(page, qtbot) == "Exported smile.mp4: 3 frames, 0.2 s."
+    assert finished(page, qtbot) == "Exported smile.mp4: 3 frames, 0.25 s."
     with av.open(str(tmp_path / "smile.mp4")) as opened:
         stream = opened.streams.video[0]
         assert (stream.width, stream.height, stream.frames) == (64, 48, 3)
@@ -88,6 +88,18 @@ def test_a_model_comes_with_the_shapes_that_were_asked_for(page: ExportPage, qtb
     file = Glb((tmp_path / "smile.glb").read_bytes())
     assert len(file.times) == 13
     assert len(file.meshes["skin"]["extras"]["targetNames"]) <= 3
+
+
+@pytest.mark.parametrize(("key", "begins"), [("live-link", "Timecode,BlendShapeCount,"), ("fap", "2.1 ")])
+def test_weights_come_in_the_formats_of_other_programs(
+    page: ExportPage, qtbot: QtBot, tmp_path: Path, key: str, begins: str
+) -> None:
+    pick(page.kind, key)
+    assert not page.film.isVisible()
+    assert not page.model.isVisible()
+    click(qtbot, page.export)
+    assert "13 frames at 12 a second" in finished(page, qtbot)
+    assert (tmp_path / "smile").with_suffix(page.chosen.suffix).read_text().startswith(begins)
 
 
 def test_a_cancelled_export_leaves_the_file_that_was_there(page: ExportPage, qtbot: QtBot, tmp_path: Path) -> None:

@@ -12,9 +12,10 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QLineEdit, QPushButt
 from app.actions.context import Context, FileQuestion
 from app.actions.paths import folder, with_suffix
 from app.film.elsewhere import Errand, run_errand
-from app.film.order import KINDS, Order
+from app.film.order import KINDS, Order, OrderKind, counted
 from app.jobs import Deliver, Failure, Job
 from facemodel.io.export import Asked
+from facemodel.io.sequence import numbered
 from ui.panels.export.film_box import FilmBox
 from ui.panels.export.form import Form, choice
 from ui.panels.export.frames_box import FramesBox
@@ -43,7 +44,7 @@ class ExportPage(QDialog):
         self.job: Work = Job(run_errand, deliver)
         self.setWindowTitle("Export animation")
         self.setFixedWidth(WIDTH)
-        self.kind = choice("Format", {kind.suffix: f"{kind.title} ({kind.suffix})" for kind in KINDS.values()})
+        self.kind = choice("Format", {kind.key: f"{kind.title} ({kind.suffix})" for kind in KINDS.values()})
         self.place = QLineEdit()
         self.place.setAccessibleName("File")
         self.browse = _button("Browse…", "Choose the file in the system's dialog", self._browse)
@@ -67,12 +68,13 @@ class ExportPage(QDialog):
         shaping, most = self.model.chosen
         rate, span = self.frames.rate.value, self.frames.span
         asked = Asked(True, rate, span, shaping, most)
-        return Order(Path(self.place.text().strip()).expanduser(), replace(self.film.film, rate=rate, span=span), asked)
+        film = replace(self.film.film, rate=rate, span=span)
+        return Order(Path(self.place.text().strip()).expanduser(), self.chosen.key, film, asked)
 
     @property
-    def suffix(self) -> str:
-        """The ending of the format that is chosen."""
-        return str(self.kind.currentData())
+    def chosen(self) -> OrderKind:
+        """The format that is chosen."""
+        return KINDS[self.kind.currentData()]
 
     def start(self) -> None:
         """Begin the export that is asked for."""
@@ -91,13 +93,13 @@ class ExportPage(QDialog):
         order = self.order
         if document.solved is None or document.stale:
             return "The face is being solved; wait a moment."
-        if not self.place.text().strip() or order.out.suffix.lower() != self.suffix:
-            return f"Name a file that ends in {self.suffix}."
+        if not self.place.text().strip() or order.out.suffix.lower() != self.chosen.suffix:
+            return f"Name a file that ends in {self.chosen.suffix}."
         if not order.out.is_absolute() or not order.out.parent.is_dir():
             return f"There is no folder “{order.out.parent}”."
         if order.film.span is not None and order.film.span[1] <= order.film.span[0]:
             return "The range is empty; let it end after its begin."
-        turning = KINDS[self.suffix].films and order.film.turns
+        turning = self.chosen.films and order.film.turns
         if not document.project.animation.moves and not turning:
             return "Nothing moves yet: add keys, events or speech, or film a turntable."
         return ""
@@ -118,13 +120,13 @@ class ExportPage(QDialog):
 
     def _follow(self) -> None:
         """Show what belongs to the format, and how it stands."""
-        kind = KINDS[self.suffix]
+        kind = self.chosen
         self.holds.setText(kind.holds[0].upper() + kind.holds[1:])
         self.film.setVisible(kind.films)
         self.model.setVisible(kind.shapes)
         audio = self._context.document.project.animation.audio
         silent = "The clip has no sound" if audio is None or audio.muted else "Pictures have no sound"
-        self.film.offer_sound(audio is not None and not audio.muted and self.suffix != ".png", silent)
+        self.film.offer_sound(audio is not None and not audio.muted and not kind.numbered, silent)
         self._stand()
         self.adjustSize()
 
@@ -143,26 +145,25 @@ class ExportPage(QDialog):
         order = self.order
         start, end = self.frames.span
         # The last frame of a film ends where the range does; a model has a key there.
-        count = max(1, round((end - start) * self.frames.rate.value) + (not KINDS[self.suffix].films))
-        words = f"{count:,} frames, {end - start:.2f} s"
-        if order.out.exists() and KINDS[self.suffix].films and self.suffix != ".png":
-            words += f" · replaces the {order.out.name} that is there"
-        return words
+        count = max(1, round((end - start) * self.frames.rate.value) + (not self.chosen.films))
+        words = f"{counted(count, 'frame')}, {end - start:.2f} s"
+        first = numbered(order.out, 1, count) if self.chosen.numbered else order.out
+        return f"{words} · replaces the {first.name} that is there" if first.exists() else words
 
     def _offer_place(self) -> None:
         """A name in the folder of the last file, like the project's own."""
         document = self._context.document
         name = document.path.stem if document.path else document.project.face.key
-        self.place.setText(str(folder(self._context) / f"{name}{self.suffix}"))
+        self.place.setText(str(folder(self._context) / f"{name}{self.chosen.suffix}"))
 
     def _take_kind(self, _index: int) -> None:
         text = self.place.text().strip()
         if text:
-            self.place.setText(str(Path(text).with_suffix(self.suffix)))
+            self.place.setText(str(Path(text).with_suffix(self.chosen.suffix)))
         self._follow()
 
     def _browse(self) -> None:
-        kind = KINDS[self.suffix]
+        kind = self.chosen
         start = Path(self.place.text().strip() or folder(self._context))
         path = self._context.host.ask_path(
             FileQuestion("Export animation", kind.title, kind.suffix, start, writes=True)

@@ -1,4 +1,4 @@
-"""Films on the command line."""
+"""What is ordered on the command line: films, models, meshes and weights of an animation."""
 
 from __future__ import annotations
 
@@ -10,25 +10,38 @@ from pathlib import Path
 from app.cli.commands import solved
 from app.cli.progress import ProgressLine
 from app.cli.screen import Screen
-from app.film import Film, FilmError, shoot
+from app.film import Film, FilmError
+from app.film.order import Order, fulfil, kind_of
 from facemodel.animation.timecode import read_time
+from facemodel.io.export import Asked
 from facemodel.project import Project
 
 
-def film(project: Project, asked: Namespace, screen: Screen, folder: Path) -> str:
-    """Film a project into ``asked.out``; what was made, in words.
+def export_animation(project: Project, asked: Namespace, screen: Screen, folder: Path) -> str:
+    """Export the animation of a project into ``asked.out``; what was made, in words.
 
     Parameters
     ----------
     project : what is played
-    asked : the film
-    screen : what draws
-    folder : from which the path of its sound counts
+    asked : the options
+    screen : what draws films
+    folder : from which the path of the sound counts
     """
-    wanted = Film(
+    order = asked_order(project, asked)
+    line = ProgressLine(sys.stderr)
+    try:
+        return fulfil(order, project, lambda: solved(project, asked.basis), screen.frames, folder, line)
+    finally:
+        line.clear()
+
+
+def asked_order(project: Project, asked: Namespace) -> Order:
+    """What the options ask for."""
+    span = asked_span(asked.range, asked.fps or project.animation.rate)
+    film = Film(
         asked.size,
         asked.fps,
-        asked_span(asked.range, asked.fps or project.animation.rate),
+        span,
         asked.view,
         asked.close,
         asked.turntable,
@@ -36,14 +49,8 @@ def film(project: Project, asked: Namespace, screen: Screen, folder: Path) -> st
         asked.audio,
         asked.backdrop,
     )
-    take = wanted.take(project)
-    solution = solved(project, asked.basis)
-    line = ProgressLine(sys.stderr)
-    try:
-        shoot(take, solution, wanted, asked.out, screen.frames, folder, line)
-    finally:
-        line.clear()
-    return f"{len(take):,} frames, {take.duration:.1f} s"
+    wanted = Asked(True, asked.fps, span, asked.shapes, asked.most)
+    return Order(asked.out, asked.format or kind_of(asked.out).key, film, wanted)
 
 
 def asked_span(texts: Sequence[str] | None, rate: float) -> tuple[float, float] | None:
