@@ -35,6 +35,11 @@ class OrderKind:
     holds: str
 
     @property
+    def group(self) -> tuple[bool, bool, bool]:
+        """Equal for those that people will look for in one place: films, models, meshes, weights."""
+        return self.films, self.shapes, self.numbered and not self.films
+
+    @property
     def films(self) -> bool:
         """Whether it is pictures."""
         return self.key in FILMS

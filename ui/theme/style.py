@@ -55,7 +55,8 @@ QComboBox::down-arrow { image: url("$chevron"); width: 10px; height: 10px; }
 QComboBox:hover { background: $hover; }
 QComboBox:focus { border-color: $accent; }
 QComboBox:disabled { color: $faint; background: $panel; }
-QComboBox QAbstractItemView { background: $panel; border: 1px solid $line; padding: 4px 0; }
+QComboBox QAbstractItemView { background: $panel; border: 1px solid $line; padding: 4px 0; outline: none;
+    selection-background-color: $chosen; selection-color: $text; }
 QSplitter::handle:horizontal { background: $panel; border-right: 1px solid $line; image: none; }
 QSplitter::handle:horizontal:hover { border-right-color: $accent; }
 QSplitter::handle:vertical { background: $panel; border-top: 1px solid $line; }

@@ -29,7 +29,7 @@ SMALLEST = 16
 """Pixels per side."""
 
 FRAMING = {"head": "Whole head", "face": "Face alone"}
-BACKDROPS = {"dark": "Dark backdrop", "light": "Light backdrop"}
+BACKDROPS = {"dark": "Dark", "light": "Light"}
 
 
 class FilmBox(QWidget):
@@ -61,7 +61,8 @@ class FilmBox(QWidget):
         form.row("", self.wide, self.high)
         form.row("View", self.view, self.framing)
         form.row("Turntable", self.turns)
-        form.row("Smoothing", self.antialias, self.backdrop)
+        form.row("Smoothing", self.antialias)
+        form.row("Backdrop", self.backdrop)
         form.row("Sound", self.sound)
         self.setLayout(form)
         self.show_film(DEFAULT_FILM)

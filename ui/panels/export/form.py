@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QWidget
@@ -58,3 +58,9 @@ def choice(name: str, options: Mapping[str, str], tip: str = "") -> QComboBox:
 def choose(box: QComboBox, key: str) -> None:
     """Show a key in a list."""
     box.setCurrentIndex(max(0, box.findData(key)))
+
+
+def part_groups(box: QComboBox, keys: Iterable[str]) -> None:
+    """Draw a line in a list before each of some keys."""
+    for key in keys:
+        box.insertSeparator(box.findData(key))

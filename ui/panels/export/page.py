@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -17,7 +18,7 @@ from app.jobs import Deliver, Failure, Job
 from facemodel.io.export import Asked
 from facemodel.io.sequence import numbered
 from ui.panels.export.film_box import FilmBox
-from ui.panels.export.form import Form, choice
+from ui.panels.export.form import Form, choice, part_groups
 from ui.panels.export.frames_box import FramesBox
 from ui.panels.export.model_box import ModelBox
 from ui.panels.export.progress_line import ProgressLine
@@ -45,6 +46,7 @@ class ExportPage(QDialog):
         self.setWindowTitle("Export animation")
         self.setFixedWidth(WIDTH)
         self.kind = choice("Format", {kind.key: f"{kind.title} ({kind.suffix})" for kind in KINDS.values()})
+        part_groups(self.kind, [kind.key for before, kind in pairwise(KINDS.values()) if before.group != kind.group])
         self.place = QLineEdit()
         self.place.setAccessibleName("File")
         self.browse = _button("Browse…", "Choose the file in the system's dialog", self._browse)
@@ -78,8 +80,7 @@ class ExportPage(QDialog):
 
     def start(self) -> None:
         """Begin the export that is asked for."""
-        problem = self.problem()
-        if problem or self.job.running:
+        if self.missing() or self.problem() or self.job.running:
             return
         document = self._context.document
         document.commit()
@@ -87,21 +88,26 @@ class ExportPage(QDialog):
         home = document.path.absolute().parent if document.path else None
         self.job.request(Errand(self.order, document.project, document.solved, home))
 
-    def problem(self) -> str:
-        """Why there is nothing to export now; empty if there is something."""
+    def missing(self) -> str:
+        """What has to come before there is anything to export; empty if it is there."""
         document = self._context.document
-        order = self.order
         if document.solved is None or document.stale:
             return "The face is being solved; wait a moment."
+        turning = self.chosen.films and self.film.film.turns
+        if not document.project.animation.moves and not turning:
+            turntable = ", or film a turntable" if self.chosen.films else ""
+            return f"Nothing moves yet: add keys, events or speech{turntable}."
+        return ""
+
+    def problem(self) -> str:
+        """What is wrong with the order; empty if nothing is."""
+        order = self.order
         if not self.place.text().strip() or order.out.suffix.lower() != self.chosen.suffix:
             return f"Name a file that ends in {self.chosen.suffix}."
         if not order.out.is_absolute() or not order.out.parent.is_dir():
             return f"There is no folder “{order.out.parent}”."
         if order.film.span is not None and order.film.span[1] <= order.film.span[0]:
             return "The range is empty; let it end after its begin."
-        turning = self.chosen.films and order.film.turns
-        if not document.project.animation.moves and not turning:
-            return "Nothing moves yet: add keys, events or speech, or film a turntable."
         return ""
 
     def refresh(self, *_now: object) -> None:
@@ -132,14 +138,14 @@ class ExportPage(QDialog):
 
     def _stand(self) -> None:
         """How it stands while nothing is done."""
-        busy, problem = self.job.running, self.problem()
+        busy, missing, problem = self.job.running, self.missing(), self.problem()
         for part in (self.kind, self.place, self.browse, self.frames, self.film, self.model):
             part.setEnabled(not busy)
-        self.export.setEnabled(not busy and not problem)
+        self.export.setEnabled(not (busy or missing or problem))
         self.export.setVisible(not busy)
         self.stop.setVisible(busy)
         if not busy:
-            self.progress.rest(problem or self._summary(), bool(problem))
+            self.progress.rest(missing or problem or self._summary(), bool(problem) and not missing)
 
     def _summary(self) -> str:
         order = self.order
