@@ -18,7 +18,7 @@ class ProgressLine(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self._since = 0.0
+        self._begun: tuple[float, float] | None = None
         self.bar = QProgressBar()
         self.bar.setRange(0, STEPS)
         self.bar.setTextVisible(False)
@@ -35,14 +35,18 @@ class ProgressLine(QWidget):
 
     def begin(self) -> None:
         """The work has begun."""
-        self._since = time.monotonic()
+        self._begun = None
         self.show_share("Getting ready", 0.0)
 
     def show_share(self, text: str, share: float) -> None:
         """Show what is being done, the share that is done, and what is left of the time."""
         self.bar.setValue(round(STEPS * share))
         self.bar.setVisible(True)
-        self._say(f"{text}{_left(time.monotonic() - self._since, share)}", "muted")
+        now = time.monotonic()
+        if self._begun is None and share > 0:
+            self._begun = now, share  # what came before was getting ready, and is no measure of the work
+        since, at = self._begun or (now, share)
+        self._say(f"{text}{_left(now - since, share - at, 1 - share)}", "muted")
 
     def rest(self, text: str, wrong: bool = False) -> None:
         """Say how it stands while nothing is done; what is wrong in the colour of errors."""
@@ -57,11 +61,11 @@ class ProgressLine(QWidget):
             self.text.style().polish(self.text)
 
 
-def _left(gone: float, share: float) -> str:
-    """The time that is left as people say it; nothing before it can be told."""
-    if share < TELLING:
+def _left(gone: float, done: float, rest: float) -> str:
+    """The time that a rest takes, as people say it, if a share took so long; nothing before it can be told."""
+    if done < TELLING:
         return ""
-    left = round(gone * (1 - share) / share)
+    left = round(gone * rest / done)
     if left < 60:
         return f" · {left} s left"
     return f" · {left // 60} min {left % 60:02} s left"
