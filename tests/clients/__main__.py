@@ -77,7 +77,7 @@ def _apart(wanted: dict[str, np.ndarray], seen: dict[str, np.ndarray]) -> float:
 
 if __name__ == "__main__":
     if len(sys.argv) > 1:
-        kept = Path(sys.argv[1])
+        kept = Path(sys.argv[1]).resolve()
         kept.mkdir(parents=True, exist_ok=True)
         sys.exit(main(kept))
     with TemporaryDirectory() as scratch:
