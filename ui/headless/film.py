@@ -20,7 +20,8 @@ Samples at the edges of surfaces, which single pictures have besides, cost softw
 """
 
 NEARER = 1.2
-"""A film of the face alone comes nearer than the whole face allows, until the edge of the neck is out of it."""
+"""A film of the face alone comes nearer than the whole face allows, until the edge of the neck is out of it; not where
+it is higher than wide, and the cheeks would go first."""
 
 LARGEST_DRAWN = 2 * LARGEST
 """Pixels per side that graphics drivers draw at most."""
@@ -64,4 +65,5 @@ def _look(made: Stage, take: Take, film: Film) -> None:
     width, height = film.size
     camera = made.scene.renderer.GetActiveCamera()
     look_along(camera, face_frame(take.project.face), *DIRECTIONS[film.view], width / height)
-    zoom(camera, NEARER)
+    if width >= height:
+        zoom(camera, NEARER)
