@@ -10,6 +10,7 @@ from app.cli.commands import solved
 from app.cli.expression import asked_expression
 from app.cli.ordering import asked_span
 from app.cli.progress import ProgressLine
+from app.film.ending import told_to_end
 from app.film.order import counted
 from facemodel.io.disk import checked_target
 from facemodel.io.export import Asked, export_of, export_project, export_sequence
@@ -28,10 +29,11 @@ def export(asked: Namespace) -> int:
     solution = solved(project, asked.basis)
     line = ProgressLine(sys.stderr)
     try:
-        if asked.sequence:
-            said = counted(export_sequence(posed, solution, out, wanted, line), "numbered file")
-        else:
-            said = export_project(posed, solution, out, wanted, line)
+        with told_to_end():
+            if asked.sequence:
+                said = counted(export_sequence(posed, solution, out, wanted, line), "numbered file")
+            else:
+                said = export_project(posed, solution, out, wanted, line)
     finally:
         line.clear()
     print(f"Wrote {out}: {said}")

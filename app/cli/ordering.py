@@ -11,6 +11,7 @@ from app.cli.commands import solved
 from app.cli.progress import ProgressLine
 from app.cli.screen import Screen
 from app.film import Film, FilmError
+from app.film.ending import told_to_end
 from app.film.order import Order, fulfil, kind_of
 from facemodel.animation.timecode import read_time
 from facemodel.io.export import Asked
@@ -30,7 +31,8 @@ def export_animation(project: Project, asked: Namespace, screen: Screen, folder:
     order = asked_order(project, asked)
     line = ProgressLine(sys.stderr)
     try:
-        return fulfil(order, project, lambda: solved(project, asked.basis), screen.frames, folder, line)
+        with told_to_end():
+            return fulfil(order, project, lambda: solved(project, asked.basis), screen.frames, folder, line)
     finally:
         line.clear()
 

@@ -4,12 +4,16 @@ import os
 import signal
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from facemodel.animation.clip import Animation
+from facemodel.animation.curve import Key, curve_of
+from facemodel.animation.track import Track
 from facemodel.io.project_file import save_project
 from facemodel.projects import new_project
 from tests.io.small_project import small_project
@@ -76,6 +80,24 @@ def test_control_c_stops_a_solve(tmp_path: Path) -> None:
     assert rest.endswith("risorius: stopped\n")
     assert "Traceback" not in rest
     assert not (tmp_path / "cache").exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX systems")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_export_that_is_told_to_end_leaves_nothing(tmp_path: Path, number: signal.Signals) -> None:
+    smile = Animation((Track("12L", curve_of([Key(0, 0.0), Key(1, 1.0)])),), end=60.0, rate=120.0)
+    save_project(replace(small_project(), animation=smile), tmp_path / "face.risorius")
+    words = ["animate", str(tmp_path / "face.risorius"), str(tmp_path / "face.obj")]
+    process = subprocess.Popen([*RISORIUS, *words], stderr=subprocess.PIPE, text=True, cwd=Path.cwd())
+    assert process.stderr is not None
+    while "Writing frames" not in process.stderr.readline():
+        assert process.poll() is None
+    process.send_signal(number)
+    rest = process.stderr.read()
+    process.stderr.close()
+    assert process.wait() == 130
+    assert rest.endswith("risorius: stopped\n")
+    assert os.listdir(tmp_path) == ["face.risorius"]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="pipes of POSIX systems")

@@ -10,6 +10,7 @@ from pathlib import Path
 from threading import Event, Thread
 from typing import IO, Any
 
+from app.film.ending import told_to_end
 from app.film.order import fulfil, order_of
 from facemodel.cache import solve_cached
 from facemodel.errors import RisoriusError
@@ -44,7 +45,7 @@ def main(orders: IO[str], answers: IO[str]) -> int:
     except RisoriusError as error:
         say(failed=str(error))
         return 1
-    except (Cancelled, BrokenPipeError):
+    except (Cancelled, KeyboardInterrupt, BrokenPipeError):
         return 1
     return 0
 
@@ -64,4 +65,5 @@ def _wait_for_the_end(pipe: int, stopped: Event) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.stdin, sys.stdout))
+    with told_to_end():
+        sys.exit(main(sys.stdin, sys.stdout))
