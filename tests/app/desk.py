@@ -56,6 +56,9 @@ class Desk:
     def show_export(self) -> None:
         self.calls.append("show_export")
 
+    def may_stop_export(self) -> bool:
+        return True
+
     def focus_unit(self, number: int) -> None:
         self.calls.append(("focus_unit", number))
 

@@ -34,6 +34,19 @@ def ask_unsaved(parent: QWidget, name: str) -> Answer:
     return answers.get(box.exec(), "cancel")
 
 
+def ask_stop(parent: QWidget, name: str) -> bool:
+    """Whether an export that is under way may be stopped."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("Export under way")
+    box.setIcon(QMessageBox.Icon.NoIcon)
+    box.setText(f"“{name}” is still being exported.")
+    box.setInformativeText("Stop the export, and close the window?  A file that was there before stays.")
+    box.setStandardButtons(Button.Discard | Button.Cancel)
+    box.button(Button.Discard).setText("Stop and close")
+    box.setDefaultButton(Button.Cancel)
+    return box.exec() == Button.Discard
+
+
 def show_error(parent: QWidget, sentence: str, details: str = "") -> None:
     """One sentence that says what went wrong, where, and what to do about it."""
     box = QMessageBox(parent)

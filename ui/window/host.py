@@ -78,6 +78,11 @@ class WindowHost:
         self._export.raise_()
         self._export.activateWindow()
 
+    def may_stop_export(self) -> bool:
+        """Ask whether an export may be stopped; nobody is asked where none is under way."""
+        name = self._export.exporting if self._export is not None else ""
+        return not name or dialogs.ask_stop(self._window, name)
+
     def frame_head(self) -> None:
         """Show the whole head."""
         self._window.viewport.frame_head()

@@ -141,8 +141,8 @@ class MainWindow(QMainWindow):
         return super().event(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask about unsaved changes, remember the layout, stop what is being solved."""
-        if not may_leave(self.context):
+        """Ask about an export under way and unsaved changes, remember the layout, stop what is being solved."""
+        if not (self.context.host.may_stop_export() and may_leave(self.context)):
             event.ignore()
             return
         self.context.settings.change(

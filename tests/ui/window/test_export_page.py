@@ -8,7 +8,7 @@ from pathlib import Path
 import av
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtWidgets import QComboBox, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
@@ -164,11 +164,17 @@ def test_an_undo_brings_back_what_there_is_to_export(page: ExportPage, document:
     assert not page.export.isEnabled()
 
 
-def test_closing_the_window_ends_an_export(page: ExportPage, window: MainWindow, qtbot: QtBot, tmp_path: Path) -> None:
+def test_closing_the_window_asks_and_then_ends_an_export(
+    page: ExportPage, window: MainWindow, qtbot: QtBot, tmp_path: Path, answer: Callable[..., list[str]]
+) -> None:
     page.frames.rate.set_now(120.0)
     click(qtbot, page.export)
     qtbot.waitUntil(lambda: page.progress.text.text().startswith("Filming"), timeout=60_000)
     window.context.document._saved = window.context.document.project
-    window.close()
+    said = answer(QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Discard)
+    assert not window.close()
+    assert page.job.running
+    assert window.close()
+    assert said == ["“smile.mp4” is still being exported."] * 2
     assert not page.isVisible()
     qtbot.waitUntil(lambda: exported(tmp_path) == [], timeout=30_000)

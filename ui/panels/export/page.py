@@ -43,6 +43,7 @@ class ExportPage(QDialog):
         super().__init__(parent)
         self._context = context
         self.job: Work = Job(run_errand, deliver)
+        self._exporting = ""
         self.setWindowTitle("Export animation")
         self.setFixedWidth(WIDTH)
         self.kind = choice("Format", {kind.key: f"{kind.title} ({kind.suffix})" for kind in KINDS.values()})
@@ -63,6 +64,11 @@ class ExportPage(QDialog):
         self._connect()
         self._offer_place()
         self.refresh()
+
+    @property
+    def exporting(self) -> str:
+        """The name of the file that is being exported; empty if none is."""
+        return self._exporting if self.job.running else ""
 
     @property
     def order(self) -> Order:
@@ -192,7 +198,8 @@ class ExportPage(QDialog):
         self._stand()
         self.progress.rest("The export was cancelled; nothing was written.")
 
-    def _begun(self, _errand: Errand) -> None:
+    def _begun(self, errand: Errand) -> None:
+        self._exporting = errand.order.out.name
         self._stand()
         self.progress.begin()
 
