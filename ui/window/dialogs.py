@@ -40,9 +40,10 @@ def ask_stop(parent: QWidget, name: str) -> bool:
     box.setWindowTitle("Export under way")
     box.setIcon(QMessageBox.Icon.NoIcon)
     box.setText(f"“{name}” is still being exported.")
-    box.setInformativeText("Stop the export, and close the window?  A file that was there before stays.")
+    box.setInformativeText("Stop the export, and close the window? A file that was there before stays.")
     box.setStandardButtons(Button.Discard | Button.Cancel)
     box.button(Button.Discard).setText("Stop and close")
+    box.button(Button.Cancel).setText("Go on")
     box.setDefaultButton(Button.Cancel)
     return box.exec() == Button.Discard
 
