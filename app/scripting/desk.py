@@ -60,3 +60,17 @@ class ScriptDesk:
         if self._real.solution is None or self._real.stale:
             raise FaceError("The face is not solved as it is now; wait for the solver, then ask again.")
         return self._real.solution
+
+    @property
+    def solved_as_it_is(self) -> bool:
+        """Whether the script has left alone what the fields follow from."""
+        own, real = self.project, self._real.project
+        return all(
+            mine is theirs
+            for mine, theirs in (
+                (own.face, real.face),
+                (own.muscles, real.muscles),
+                (own.units, real.units),
+                (own.settings, real.settings),
+            )
+        )

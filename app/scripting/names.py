@@ -14,6 +14,7 @@ from app.expression_clipboard import expressions_of, expressions_text, with_past
 from app.expression_text import format_expression, parse_expression
 from app.scripting.animating import PUBLIC, Animating
 from app.scripting.desk import ScriptDesk
+from app.scripting.exporting import Exporting
 from app.scripting.muscle_handle import MuscleHandle
 from app.scripting.muscle_names import MuscleNames
 from app.scripting.painting import Painter, Where
@@ -40,6 +41,7 @@ class Names:
         self._desk = desk
         self._painter = Painter(desk)
         self._animating = Animating(desk)
+        self._exporting = Exporting(desk)
         self._laying = MuscleNames(desk, self._painter)
 
     def namespace(self) -> dict[str, Any]:
@@ -49,6 +51,7 @@ class Names:
         painting = {name: getattr(self._painter, name) for name in ("paint", "values", "set_values", "layers", "place")}
         animating = {name: getattr(self._animating, name) for name in PUBLIC}
         skull = SkullHandle(self._desk, self._painter)
+        animating["export_animation"] = self._exporting.export_animation
         return {**own, **painting, **animating, **self._laying.namespace(), "skull": skull, "np": np}
 
     def face(self) -> Face:
