@@ -87,6 +87,9 @@ class Host(Protocol):
     def show_export(self) -> None:
         """Open the page that exports the animation."""
 
+    def perform(self) -> None:
+        """Open the timeline and play what is open, as soon as its face is solved."""
+
     def may_stop_export(self) -> bool:
         """Ask whether an export may be stopped; nobody is asked where none is under way."""
 

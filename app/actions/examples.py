@@ -9,7 +9,7 @@ from app.examples import EXAMPLES, Example, examples_folder
 
 
 def open_example(context: Context, example: Example) -> None:
-    """Begin with an example, unless the open document is to stay.
+    """Begin with an example, unless the open document is to stay; one that moves plays.
 
     Raises
     ------
@@ -19,6 +19,8 @@ def open_example(context: Context, example: Example) -> None:
     if may_leave(context):
         context.document.begin(example.made(examples_folder()))
         context.host.show_message(example.hint)
+        if context.document.project.animation.moves:
+            context.host.perform()
 
 
 EXAMPLE_ACTIONS = tuple(

@@ -56,6 +56,9 @@ class Desk:
     def show_export(self) -> None:
         self.calls.append("show_export")
 
+    def perform(self) -> None:
+        self.calls.append("perform")
+
     def may_stop_export(self) -> bool:
         return True
 

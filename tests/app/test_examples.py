@@ -97,6 +97,7 @@ def test_opening_an_example_asks_about_unsaved_work_first(context: Context, desk
     assert not context.document.dirty
     assert context.document.history.to_undo is None
     assert desk.messages == [find_example("timing").hint]
+    assert desk.calls.count("perform") == 1
 
 
 def test_an_example_that_is_not_there_is_named_with_those_that_are() -> None:

@@ -18,6 +18,7 @@ from ui.panels.muscles.fitting_page import ask_fitting
 from ui.window import dialogs
 from ui.window.about_page import about_page
 from ui.window.delivery import UiThread
+from ui.window.performing import perform
 from ui.window.shortcut_page import ShortcutPage
 
 if TYPE_CHECKING:
@@ -77,6 +78,10 @@ class WindowHost:
         self._export.show()
         self._export.raise_()
         self._export.activateWindow()
+
+    def perform(self) -> None:
+        """Open the timeline and play what is open, as soon as its face is solved."""
+        perform(self._window)
 
     def may_stop_export(self) -> bool:
         """Ask whether an export may be stopped; nobody is asked where none is under way."""

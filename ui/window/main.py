@@ -29,7 +29,7 @@ def run(path: Path | None = None, project: Project | None = None) -> int:
     Parameters
     ----------
     path : the file to open
-    project : what to open that has no file, if there is no path; the default face without either
+    project : what to open and play that has no file, if there is no path; the default face without either
 
     Returns
     -------
@@ -53,6 +53,8 @@ def run(path: Path | None = None, project: Project | None = None) -> int:
     for sentence in filter(None, (complaint, settings.notice)):
         window.context.host.show_error(sentence)
     safekeeping.offer_soon()
+    if project is not None and document.project is project:
+        window.context.host.perform()
     return app.exec()
 
 

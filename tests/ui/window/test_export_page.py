@@ -1,7 +1,7 @@
 """The export page asks for no more than a format needs, exports while work goes on, and can be cancelled."""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -25,13 +25,14 @@ SMILE = Animation(
 
 
 @pytest.fixture
-def page(window: MainWindow, document: Document, qtbot: QtBot, tmp_path: Path) -> ExportPage:
+def page(window: MainWindow, document: Document, qtbot: QtBot, tmp_path: Path) -> Iterator[ExportPage]:
     document.edit(replace(document.project, animation=SMILE), "Animate")
     window.context.host.show_export()
     found = window.findChild(ExportPage)
     qtbot.waitExposed(found)
     found.place.setText(str(tmp_path / "smile.mp4"))
-    return found
+    yield found
+    found.job.cancel()
 
 
 def pick(box: QComboBox, key: str) -> None:
