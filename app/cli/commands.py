@@ -71,7 +71,7 @@ def render(asked: Namespace, screen: Screen) -> int:
     project = load_project(asked.project)
     expression = asked_expression(project, asked.emotion, asked.au)
     solution = solved(project, asked.basis)
-    screen.render(project, solution, expression, asked.out, asked.view, asked.size, asked.show)
+    screen.render(project, solution, expression, asked.out, asked.view, asked.size, asked.show, asked.linear)
     print(f"Wrote {asked.out}")
     return 0
 

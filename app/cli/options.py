@@ -73,6 +73,11 @@ def of_render(made: ArgumentParser) -> None:
         default=frozenset(),
         help=f"what to draw with the skin, separated by commas: {', '.join(OVERLAYS)}",
     )
+    made.add_argument(
+        "--linear",
+        action="store_true",
+        help="draw the pure linear sum of the fields: no arc of the jaw, nothing that lids and lips meet",
+    )
 
 
 def of_gallery(made: ArgumentParser) -> None:

@@ -31,7 +31,7 @@ FORMATS = """\
 formats:
   .glb   the whole head in metres: one morph target per action unit, or those of its animation, which it plays
   .usdc  the same as USD with blend shapes and a skeleton; .usda is the same as text
-  .npz   neutral (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
+  .npz   neutral and posed (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
   .obj   the head with the expression, in millimetres
   .ply   the same as one coloured mesh
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from facemodel.actions import Expression
 from facemodel.animation.clip import FASTEST, SLOWEST
 from facemodel.animation.evaluation import Sampled, sampled
-from facemodel.animation.rigid import RigidPose, rigid_pose
 from facemodel.errors import ProjectError
+from facemodel.kinematics import Rigid
 from facemodel.project import Project
 
 MOST_FRAMES = 200_000
@@ -50,9 +50,9 @@ class Take:
         """Weights by field in a frame, as the editor shows them: animated ones over those of the sliders."""
         return {**self.project.expression, **self.sampled.pose(frame).weights}
 
-    def rigid(self, frame: int) -> RigidPose:
-        """How head and eyes stand in a frame."""
-        return rigid_pose(self.project.face, self.sampled.pose(frame).rigid)
+    def rigid(self, frame: int) -> Rigid:
+        """How head and eyes are turned in a frame, beside what the action units do."""
+        return self.sampled.pose(frame).rigid
 
 
 def take(project: Project, rate: float | None = None, span: tuple[float, float] | None = None) -> Take:

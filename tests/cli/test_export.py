@@ -43,7 +43,7 @@ def test_a_model_plays_the_animation_and_says_how_well(clip: Path, capsys: pytes
 def test_the_animation_can_be_left_out(clip: Path) -> None:
     file = Glb(exported(clip, "a.glb", "--still").read_bytes())
     assert "animations" not in file.json
-    assert file.meshes["skin"]["extras"]["targetNames"] == ["AU12", "AU12L", "AU12R", "AU18", "AU26"]
+    assert file.meshes["skin"]["extras"]["targetNames"] == ["AU12", "AU12L", "AU12R", "AU18", "AU26", "posed"]
 
 
 def test_few_shapes_can_be_asked_for(clip: Path) -> None:

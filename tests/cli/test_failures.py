@@ -126,7 +126,7 @@ def test_projects_that_cannot_be_opened(
         ("gallery", "none/a.png", "there is no folder"),
         ("gallery", "sheet", "end in .png"),
         ("animate", "none/a.mp4", "there is no folder"),
-        ("animate", "a.avi", "animations are in .mp4, .webm, .png, "),
+        ("animate", "a.avi", "animations are exported to .mp4, .webm, .png, "),
         ("export", "none/a.glb", "there is no folder"),
         ("export", "a.fbx", "end in .glb, .usdc, .usda, .npz, .obj or .ply"),
         ("export", "smile.risorius/a.glb", "there is no folder"),

@@ -15,6 +15,7 @@ from facemodel.animation.track import Track
 from facemodel.cache import solve_cached
 from facemodel.eyeball import eyeball
 from facemodel.io.export import Asked, export_project
+from facemodel.kinematics import rig_of
 from facemodel.project import Project
 from facemodel.projects import new_project
 from facemodel.solve import Solution
@@ -65,10 +66,11 @@ def written(folder: Path) -> tuple[Project, Solution]:
 def shown(project: Project, solution: Solution, frames: Sequence[int] = FRAMES) -> Iterator[dict[str, np.ndarray]]:
     """Where the editor has every mesh in some frames, millimetres."""
     clip = take(project)
-    pose = Superposition(project.face, solution.basis)
+    pose = Superposition(project.face, solution.basis, rig_of(project.units))
     for frame in frames:
+        pose.turned = clip.rigid(frame)
         pose.pose(clip.expression(frame))
-        stands = clip.rigid(frame)
+        stands = pose.stance
         places = {name: _moved(stands.head, points) for name, points in pose.parts.items()}
         places["skin"] = _moved(stands.head, pose.points)
         for eye, turn in zip(project.face.eyes, stands.eyes, strict=True):

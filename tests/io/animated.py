@@ -10,6 +10,7 @@ from facemodel.animation.curve import Key, curve_of
 from facemodel.animation.take import Take, take
 from facemodel.animation.track import Track
 from facemodel.eyeball import eyeball
+from facemodel.kinematics import rig_of
 from facemodel.project import Project
 from facemodel.solve import Solution, solve_project
 from facemodel.superposition import Superposition
@@ -47,10 +48,11 @@ def played() -> Take:
 def shown(clip: Take) -> Iterator[dict[str, np.ndarray]]:
     """Where the editor has every mesh in each frame of a clip, millimetres."""
     face = PROJECT.face
-    pose = Superposition(face, SOLUTION.basis)
+    pose = Superposition(face, SOLUTION.basis, rig_of(PROJECT.units))
     for frame in range(len(clip)):
+        pose.turned = clip.rigid(frame)
         pose.pose(clip.expression(frame))
-        stands = clip.rigid(frame)
+        stands = pose.stance
         places = {"skin": moved(stands.head, pose.points)}
         places |= {name: moved(stands.head, points) for name, points in pose.parts.items()}
         for eye, turn in zip(face.eyes, stands.eyes, strict=True):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from facemodel.io.export import EXPORTS, Asked
 from facemodel.io.export.pieces import posed_pieces
+from facemodel.kinematics import rig_of
 from facemodel.superposition import Superposition
 from tests.io.animated import PROJECT, SOLUTION
 from tests.io.glb_reader import Glb
@@ -32,10 +33,11 @@ def _frame(suffix: str) -> bytes:
     write = EXPORTS[suffix].frame
     assert clip is not None
     assert write is not None
-    pose = Superposition(PROJECT.face, SOLUTION.basis)
+    pose = Superposition(PROJECT.face, SOLUTION.basis, rig_of(PROJECT.units))
+    pose.turned = clip.rigid(2)
     pose.pose(clip.expression(2))
     stream = io.BytesIO()
-    write(PROJECT.face.title, posed_pieces(pose, clip.rigid(2)), stream)
+    write(PROJECT.face.title, posed_pieces(pose), stream)
     return stream.getvalue()
 
 

@@ -12,6 +12,7 @@ from pxr import Gf, Usd, UsdGeom, UsdShade, UsdSkel, UsdValidation
 from facemodel.errors import ProjectError
 from facemodel.io.export import EXPORTS, Asked, export_project
 from facemodel.io.export.performance import WITHIN
+from facemodel.kinematics import rig_of
 from facemodel.superposition import Superposition
 from tests.io.animated import PROJECT, SOLUTION, played, shown
 
@@ -64,9 +65,9 @@ def test_a_still_face_has_every_unit_and_shows_its_expression(tmp_path: Path) ->
     stage = written(tmp_path, ".usda", Asked(animated=False))
     assert not stage.HasAuthoredTimeCodeRange()
     animation = UsdSkel.Animation(stage.GetPrimAtPath("/Face/Skeleton/Animation"))
-    assert list(animation.GetBlendShapesAttr().Get()) == ["AU12", "AU12L", "AU12R", "AU18", "AU26"]
+    assert list(animation.GetBlendShapesAttr().Get()) == ["AU12", "AU12L", "AU12R", "AU18", "AU26", "posed"]
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetDefaultPrim()), Gf.Interval.GetFullInterval())
-    pose = Superposition(PROJECT.face, SOLUTION.basis)
+    pose = Superposition(PROJECT.face, SOLUTION.basis, rig_of(PROJECT.units))
     pose.pose(PROJECT.expression)
     skin = np.array(UsdGeom.Mesh(stage.GetPrimAtPath("/Face/skin")).GetPointsAttr().Get())
     assert np.abs(1000 * skin - pose.points).max() < FLOAT

@@ -10,7 +10,6 @@ from facemodel.solve import Solution
 from ui.headless.picture import LARGEST
 from ui.headless.stage import Stage, stage
 from ui.viewport.camera import DIRECTIONS, face_frame, look_along, zoom
-from ui.viewport.rigid import turn_head
 from ui.viewport.surface import ByteArray
 
 FINER: Mapping[Antialias, int] = {"off": 1, "fine": 2, "finest": 3}
@@ -54,8 +53,9 @@ def film_frames(take: Take, solution: Solution, film: Film) -> Iterator[ByteArra
 
 
 def _pose(made: Stage, take: Take, frame: int) -> None:
+    if made.scene.figure is not None:
+        made.scene.figure.posed.turned = take.rigid(frame)
     made.scene.pose(take.expression(frame))
-    turn_head(made.scene, take.sampled.pose(frame).rigid)
 
 
 def _look(made: Stage, take: Take, film: Film) -> None:

@@ -7,9 +7,10 @@ import numpy as np
 from facemodel.actions import Expression
 from facemodel.animation.take import Take
 from facemodel.basis import Basis
-from facemodel.face import Face
+from facemodel.kinematics import NO_TURN, Rigid, Stance, rig_of
+from facemodel.project import Project
 from facemodel.superposition import Superposition
-from fem.types import Float32Array, FloatArray
+from fem.types import Float32Array
 
 SKIN = "skin"
 
@@ -24,11 +25,11 @@ class PosedFrames:
 
     Parameters
     ----------
-    face, basis : what is posed
+    project, basis : what is posed
     """
 
-    def __init__(self, face: Face, basis: Basis) -> None:
-        self._posed = Superposition(face, basis)
+    def __init__(self, project: Project, basis: Basis) -> None:
+        self._posed = Superposition(project.face, basis, rig_of(project.units))
         self._moving = basis.display.moving
         self.names = (SKIN, *(name for name, _ in basis.display.carried))
         counts = [self._moving, *(count for _, count in basis.display.carried)]
@@ -40,8 +41,9 @@ class PosedFrames:
         self._rest_normals = self._posed.normals.copy()
         self._skin = len(self._posed.points)
 
-    def moved(self, expression: Expression) -> Float32Array:
-        """How far (3 Q,) everything is moved in an expression, millimetres."""
+    def moved(self, expression: Expression, rigid: Rigid = NO_TURN) -> Float32Array:
+        """How far (3 Q,) everything is moved in an expression within the head, with eyes turned so, millimetres."""
+        self._posed.turned = rigid
         self._posed.pose(expression)
         return np.asarray(self._points() - self.rest)
 
@@ -51,9 +53,9 @@ class PosedFrames:
         return np.asarray(self._posed.normals - self._rest_normals)
 
     @property
-    def jaw(self) -> FloatArray:
-        """Motion (4, 4) of the mandible in the expression that was posed last."""
-        return self._posed.jaw.copy()
+    def stance(self) -> Stance:
+        """How jaw, eyes and head stand in the expression that was posed last."""
+        return self._posed.stance
 
     def of(self, name: str, moved: Float32Array) -> Float32Array:
         """The part of a vector (3 Q,) that belongs to one mesh, (n, 3), the held points of the skin with it."""

@@ -1,9 +1,10 @@
 """Binary glTF 2.0 in metres: the face with one morph target per action unit, still or playing its animation.
 
-Still, all meshes that move have the same list of targets, so that one array of weights drives skin, lashes, lower teeth
-and tongue; the turn of the jaw and the glide of the lids are linear in their weights: each target ends where the motion
-ends at activation 1.  Playing, jaw, eyes and head are nodes that turn, and a few corrective targets take the skin to
-where the editor has it.
+Still, all meshes that move have the same list of targets, so that one array of weights drives skin, lashes, eyes, lower
+teeth and tongue.  A target is linear in its weight and ends where the motion ends at activation 1; what the sum of the
+targets of the project's expression lacks of what is seen is one more target, ``posed``.  The head, which turns too far
+for a straight line, is held by the transform of its node.  Playing, jaw, eyes and head are nodes that turn, and a few
+corrective targets take the skin to where the editor has it.
 """
 
 from __future__ import annotations
@@ -15,7 +16,6 @@ from pygltflib import GLTF2, Asset, Buffer, Mesh, Scene
 from pygltflib import Animation as GltfAnimation
 
 from facemodel.basis import Basis
-from facemodel.face import Face
 from facemodel.io.export.asked import AS_IT_IS, Asked
 from facemodel.io.export.gltf_buffer import GltfBuffer
 from facemodel.io.export.gltf_mesh import NO_MORPHS, Morphs, gltf_material, gltf_mesh, moves_seen
@@ -51,19 +51,18 @@ def write_glb(
 
 
 def _still(project: Project, basis: Basis) -> bytes:
-    face = project.face
     shown = still_performance(project, basis)
     morphs = Morphs(shown.shapes, shown.weights[0].tolist())
-    carriers = {part.name: part.carrier for part in face.parts}
-    made = _Made(face, basis)
+    made = _Made(project, basis)
+    made.nodes.stand(shown.joints[0])
     for piece in made.pieces:
-        moving = piece.name == "skin" or carriers.get(piece.name) in ("jaw", "skin")
+        moving = any(moves_seen(shape, piece.name) for shape in shown.shapes)
         made.add(piece, morphs if moving else NO_MORPHS)
     return made.document([])
 
 
 def _playing(project: Project, basis: Basis, played: Performance) -> bytes:
-    made = _Made(project.face, basis)
+    made = _Made(project, basis)
     morphs: dict[str, list[int]] = {}
     for piece in made.pieces:
         chosen = [k for k, shape in enumerate(played.shapes) if moves_seen(shape, piece.name)]
@@ -83,9 +82,9 @@ class _Made:
     nodes : its tree
     """
 
-    def __init__(self, face: Face, basis: Basis) -> None:
-        self._face = face
-        self.pieces: list[Piece] = list(pieces(face, basis, {}))
+    def __init__(self, project: Project, basis: Basis) -> None:
+        self._face = face = project.face
+        self.pieces: list[Piece] = list(pieces(project, basis, {}))
         self.buffer = GltfBuffer()
         self.nodes = GltfNodes(face, [piece.name for piece in self.pieces])
         self._kinds = list(dict.fromkeys(piece.kind for piece in self.pieces))

@@ -9,7 +9,6 @@ import numpy as np
 from pygltflib import BLEND, OPAQUE, Attributes, Material, Mesh, PbrMetallicRoughness, Primitive
 
 from facemodel.io.export.appearance import APPEARANCES, linear
-from facemodel.io.export.frames import SKIN
 from facemodel.io.export.gltf_buffer import GltfBuffer
 from facemodel.io.export.performance import Shape
 from facemodel.io.export.pieces import Piece
@@ -73,8 +72,8 @@ def moves_seen(shape: Shape, name: str) -> bool:
 
 def _target(shape: Shape, name: str, buffer: GltfBuffer) -> Attributes:
     target = Attributes(POSITION=buffer.change(shape.moved[name] * np.float32(METRES), UNSEEN, bounded=True))
-    if name == SKIN:
-        target.NORMAL = buffer.change(shape.normals, UNSEEN_TURN)
+    if name in shape.turns:
+        target.NORMAL = buffer.change(shape.turns[name], UNSEEN_TURN)
     return target
 
 

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 from pygltflib import Node
 
-from facemodel.animation.rigid import head_pivot
 from facemodel.face import Face
 from facemodel.io.export.gltf_mesh import METRES
-from facemodel.io.export.joints import HEAD, JAW, eye_joint, jaw_pivot, joint_of
+from facemodel.io.export.joints import HEAD, JAW, STILL, Joint, eye_joint, jaw_pivot, joint_of
+from facemodel.kinematics import neck_joint
 from fem.types import FloatArray
 
 
@@ -35,7 +36,7 @@ class GltfNodes:
         self.nodes: list[Node] = [Node(name=face.title, children=[])]
         self.joints: dict[str, int] = {}
         self.meshes: dict[str, int] = {}
-        pivots = {HEAD: head_pivot(face), JAW: jaw_pivot(face)}
+        pivots = {HEAD: neck_joint(face), JAW: jaw_pivot(face)}
         pivots |= {eye_joint(eye.side): eye.centre for eye in face.eyes}
         jaw_parts = {part.name for part in face.parts if part.carrier == "jaw"}
         self.joints[HEAD] = self._add(0, Node(name=HEAD, translation=metres(pivots[HEAD]), children=[]))
@@ -49,6 +50,13 @@ class GltfNodes:
                     self.joints[joint] = self._add(upright, node)
                 parent, place = self.joints[joint], metres(-pivots[joint])
             self.meshes[name] = self._add(parent, Node(name=name, mesh=number, translation=place))
+
+    def stand(self, head: Joint) -> None:
+        """Hold the head as a joint does in its first frame."""
+        node = self.nodes[self.joints[HEAD]]
+        node.translation = metres(head.places[0])
+        if not np.allclose(head.turns[0], [0, 0, 0, 1], atol=STILL):
+            node.rotation = head.turns[0].tolist()
 
     def _add(self, parent: int, node: Node) -> int:
         self.nodes.append(node)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from facemodel.animation.rigid import RigidPose, head_pivot
 from facemodel.face import Face
+from facemodel.kinematics import Stance, neck_joint
 from fem.types import FloatArray
 
 HEAD, JAW = "head", "jaw"
@@ -67,19 +67,18 @@ def jaw_pivot(face: Face) -> FloatArray:
     return np.asarray(face.skull.jaw.axis.mean(axis=0))
 
 
-def joints_of(face: Face, poses: Sequence[RigidPose], jaws: Sequence[FloatArray]) -> tuple[Joint, ...]:
+def joints_of(face: Face, stances: Sequence[Stance]) -> tuple[Joint, ...]:
     """The joints of a face in some frames.
 
     Parameters
     ----------
     face : whose they are
-    poses : of head and eyes, one for each frame
-    jaws : (4, 4) motion of the mandible within the head, one for each frame
+    stances : how jaw, eyes and head stand, one for each frame
     """
-    head = _joint(HEAD, "", head_pivot(face), [pose.head for pose in poses])
-    jaw = _joint(JAW, HEAD, jaw_pivot(face), jaws)
+    head = _joint(HEAD, "", neck_joint(face), [stance.head for stance in stances])
+    jaw = _joint(JAW, HEAD, jaw_pivot(face), [stance.jaw for stance in stances])
     eyes = (
-        _joint(eye_joint(eye.side), HEAD, eye.centre, [pose.eyes[number] for pose in poses])
+        _joint(eye_joint(eye.side), HEAD, eye.centre, [stance.eyes[number] for stance in stances])
         for number, eye in enumerate(face.eyes)
     )
     return (head, jaw, *eyes)

@@ -15,7 +15,7 @@ from facemodel.solve import Solution
 
 def write_obj(project: Project, solution: Solution, stream: BinaryIO) -> None:
     """Write skin, eyes and parts posed with the project's expression; see `write_obj_pieces`."""
-    write_obj_pieces(project.face.title, pieces(project.face, solution.basis, project.expression), stream)
+    write_obj_pieces(project.face.title, pieces(project, solution.basis, project.expression), stream)
 
 
 def write_obj_pieces(title: str, posed: Iterable[Piece], stream: BinaryIO) -> None:

@@ -16,8 +16,9 @@ from facemodel.basis import Basis
 from facemodel.errors import ProjectError
 from facemodel.io.export.asked import Asked
 from facemodel.io.export.fewest import farthest, fewest_shapes, fitted, from_nothing_to_one
-from facemodel.io.export.frames import PosedFrames, sample_frames
+from facemodel.io.export.frames import SKIN, PosedFrames, sample_frames
 from facemodel.io.export.joints import Joint, joints_of
+from facemodel.kinematics import Stance
 from facemodel.solution import Progress, silent
 from fem.types import Float32Array, FloatArray
 
@@ -39,12 +40,12 @@ class Shape:
     ----------
     name : ``AU12L``, ``correction 1`` or ``shape 1``
     moved : (n, 3) float32 by mesh, how far its points go at weight 1, millimetres
-    normals : (P, 3) float32, how the skin's normals change
+    turns : (n, 3) float32 by mesh, how normals change, of the skin and what else bends or turns
     """
 
     name: str
     moved: Mapping[str, Float32Array]
-    normals: Float32Array
+    turns: Mapping[str, Float32Array]
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,14 +103,14 @@ def performance(take: Take, basis: Basis, asked: Asked, progress: Progress = sil
     fit = _Fit(mean, made)
     for frame in range(len(take)):
         progress(f"Fitting shapes, frame {frame + 1} of {len(take)}", 0.4 + 0.6 * frame / len(take))
-        fit.add(linear.missing(frame), linear.missing_normals(frame), linear.poser.jaw)
+        fit.add(linear.missing(frame), linear.missing_normals(frame), linear.poser.stance)
     extra, weights = _made_shapes(fit, linear, "correction" if asked.shaping == "units" else "shape")
     return Performance(
         take.rate,
         np.arange(len(take)) / take.rate,
         (*linear.shapes, *extra),
         np.concatenate([linear.weights, weights], axis=1),
-        joints_of(take.project.face, [take.rigid(frame) for frame in range(len(take))], fit.jaws),
+        joints_of(take.project.face, fit.stances),
         fit.apart,
     )
 
@@ -152,25 +153,25 @@ class LinearFrames:
 
     def __init__(self, take: Take, basis: Basis, named: Sequence[str]) -> None:
         self._take = take
-        self.poser = PosedFrames(take.project.face, basis)
+        self.poser = PosedFrames(take.project, basis)
         self.shapes: list[Shape] = []
         fields = np.empty((len(named), len(self.poser.rest)), dtype=np.float32)
         for row, name in enumerate(named):
             fields[row] = self.poser.moved({name: 1.0})
             self.shapes.append(self.shape(f"AU{name}", fields[row], self.poser.normals))
         self._fields = fields
-        self._normals = np.array([shape.normals.ravel() for shape in self.shapes], dtype=np.float32)
+        self._normals = np.array([shape.turns[SKIN].ravel() for shape in self.shapes], dtype=np.float32)
         weights = [[take.expression(frame).get(name, 0.0) for name in named] for frame in range(len(take))]
         # What goes beyond 1 is left to the corrections: Blender's reader cuts it off.
         self.weights: FloatArray = np.minimum(np.array(weights).reshape(len(take), len(named)), 1.0)
 
     def shape(self, name: str, moved: Float32Array, normals: Float32Array) -> Shape:
         """A shape that moves everything by (3 Q,) and the normals of the skin by (P, 3)."""
-        return Shape(name, {mesh: self.poser.of(mesh, moved) for mesh in self.poser.names}, normals)
+        return Shape(name, {mesh: self.poser.of(mesh, moved) for mesh in self.poser.names}, {SKIN: normals})
 
     def missing(self, frame: int) -> Float32Array:
         """By how much (3 Q,) a frame differs from the sum, millimetres."""
-        moved = self.poser.moved(self._take.expression(frame))
+        moved = self.poser.moved(self._take.expression(frame), self._take.rigid(frame))
         if self.shapes:
             moved -= self.weights[frame].astype(np.float32) @ self._fields
         return moved
@@ -190,23 +191,23 @@ class _Fit:
     ----------
     mean, shapes : (3 Q,) and (K, 3 Q)
     weights : (K,) of each frame
-    jaws : (4, 4) motion of the mandible in each frame
+    stances : how jaw, eyes and head stand in each frame
     apart : millimetres, the largest distance that is left
     """
 
     def __init__(self, mean: Float32Array, shapes: Float32Array) -> None:
         self.mean, self.shapes = mean, shapes
         self.weights: list[FloatArray] = []
-        self.jaws: list[FloatArray] = []
+        self.stances: list[Stance] = []
         self.apart = 0.0
         self._turned: FloatArray | None = None
 
-    def add(self, moved: Float32Array, normals: Float32Array, jaw: FloatArray) -> None:
-        """Take the next frame: what is to be fitted (3 Q,), the change of the normals (P, 3), the jaw (4, 4)."""
+    def add(self, moved: Float32Array, normals: Float32Array, stance: Stance) -> None:
+        """Take the next frame: what is to be fitted (3 Q,), the change of the normals (P, 3), the stance."""
         rest = moved - self.mean
         weights = fitted(self.shapes, rest)
         self.weights.append(weights)
-        self.jaws.append(jaw)
+        self.stances.append(stance)
         self.apart = max(self.apart, farthest(rest - weights.astype(np.float32) @ self.shapes))
         turned = np.multiply.outer(np.append(weights, 1.0), normals.astype(np.float64))
         self._turned = turned if self._turned is None else self._turned + turned

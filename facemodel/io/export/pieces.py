@@ -9,7 +9,6 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from facemodel.actions import Expression
-from facemodel.animation.rigid import RigidPose
 from facemodel.basis import Basis
 from facemodel.eyeball import eyeball
 from facemodel.face import Eye, Face, Part
@@ -46,49 +45,35 @@ class Piece:
 
 def pieces(project: Project, basis: Basis, expression: Expression) -> Iterator[Piece]:
     """The skin, both eyes and all parts, in this order, as they are seen in an expression."""
-    face = project.face
-    pose = Superposition(face, basis, rig_of(project.units))
+    pose = Superposition(project.face, basis, rig_of(project.units))
     pose.pose(expression)
-    yield from posed_pieces(pose, UPRIGHT)
+    yield from posed_pieces(pose)
 
 
-def posed_pieces(pose: Superposition, stands: RigidPose) -> Iterator[Piece]:
-    """The pieces of a face as it is posed, with head and eyes as they stand."""
+def posed_pieces(pose: Superposition) -> Iterator[Piece]:
+    """The pieces of a face as it is posed, with eyes and head as they stand."""
+    head = pose.stance.head
+    for piece in _upright(pose):
+        yield piece if np.array_equal(head, np.eye(4)) else moved(piece, head)
+
+
+def _upright(pose: Superposition) -> Iterator[Piece]:
+    """The pieces of a head that is held upright, whatever it does else."""
     face, display = pose.face, pose.basis.display
-    yield _moved(
-        Piece(
-            "skin",
-            "skin",
-            pose.points.copy(),
-            pose.normals.copy(),
-            display.triangles,
-            plain_colours("skin", len(pose.points)),
-            display_uv(face, pose.basis),
-        ),
-        stands.head,
+    yield Piece(
+        "skin",
+        "skin",
+        pose.points.copy(),
+        pose.normals.copy(),
+        display.triangles,
+        plain_colours("skin", len(pose.points)),
+        display_uv(face, pose.basis),
     )
-    for number, eye in enumerate(face.eyes):
-        turn = stands.head @ stands.eyes[number] if stands.eyes else stands.head
+    for eye, motion in zip(face.eyes, pose.stance.eyes, strict=True):
         for piece in eye_pieces(eye):
-            yield _moved(piece, turn)
+            yield piece if np.array_equal(motion, np.eye(4)) else moved(piece, motion)
     for part in face.parts:
-        yield _moved(part_piece(part, face, pose.parts[part.name].copy()), stands.head)
-
-
-UPRIGHT = RigidPose(np.eye(4), ())
-"""Head and eyes at rest, for a face with any number of eyes."""
-
-
-def _moved(piece: Piece, motion: FloatArray) -> Piece:
-    """A piece after a rigid motion (4, 4); the very same if it does not move."""
-    if np.array_equal(motion, np.eye(4)):
-        return piece
-    turn, shift = motion[:3, :3], motion[:3, 3]
-    return replace(
-        piece,
-        positions=(piece.positions @ turn.T + shift).astype(np.float32),
-        normals=(piece.normals @ turn.T).astype(np.float32),
-    )
+        yield part_piece(part, face, pose.parts[part.name].copy())
 
 
 def moved(piece: Piece, motion: FloatArray) -> Piece:

@@ -39,7 +39,7 @@ end_header
 
 def write_ply(project: Project, solution: Solution, stream: BinaryIO) -> None:
     """Write skin, eyes and parts posed with the project's expression; see `write_ply_pieces`."""
-    write_ply_pieces(project.face.title, pieces(project.face, solution.basis, project.expression), stream)
+    write_ply_pieces(project.face.title, pieces(project, solution.basis, project.expression), stream)
 
 
 def write_ply_pieces(title: str, posed: Iterable[Piece], stream: BinaryIO) -> None:

@@ -9,6 +9,7 @@ from facemodel.io.export.asked import AS_IT_IS, Asked
 from facemodel.io.export.formats import EXPORTS, export_of
 from facemodel.io.export.pieces import posed_pieces
 from facemodel.io.sequence import replacing_sequence
+from facemodel.kinematics import rig_of
 from facemodel.project import Project
 from facemodel.solution import Progress, silent
 from facemodel.solve import Solution
@@ -39,11 +40,12 @@ def export_sequence(
     take = asked.take(project)
     if take is None:
         raise ProjectError(f"“{path}” cannot be written as a sequence: nothing moves in this project; animate it.")
-    pose = Superposition(project.face, solution.basis)
+    pose = Superposition(project.face, solution.basis, rig_of(project.units))
     with replacing_sequence(path, len(take)) as place:
         for frame in range(len(take)):
             progress(f"Writing frames, {frame + 1} of {len(take)}", frame / len(take))
+            pose.turned = take.rigid(frame)
             pose.pose(take.expression(frame))
             with open(place(frame + 1), "xb") as stream:
-                write(project.face.title, posed_pieces(pose, take.rigid(frame)), stream)
+                write(project.face.title, posed_pieces(pose), stream)
     return len(take)

@@ -1,35 +1,26 @@
-"""A face that stands still as a performance of one frame: a shape for every action unit, joints at rest."""
+"""A face that stands still as a performance of one frame: a shape for every action unit, the head as it is held."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from facemodel.animation.rigid import rigid_pose
 from facemodel.basis import Basis
 from facemodel.io.export.joints import joints_of
+from facemodel.io.export.morphs import morphs_of
 from facemodel.io.export.performance import Performance, Shape
-from facemodel.io.export.targets import target_weights, targets
+from facemodel.kinematics import rig_of, stance_of
 from facemodel.project import Project
-from facemodel.superposition import Superposition
-
-
-def still_shapes(project: Project, basis: Basis) -> list[Shape]:
-    """Every target of a face with what it does to each mesh, the parts on the jaw among them."""
-    pose = Superposition(project.face, basis)
-    rest = {"skin": pose.points.copy(), **{name: points.copy() for name, points in pose.parts.items()}}
-    upright = pose.normals.copy()
-    shapes = []
-    for target in targets(project.units, basis):
-        pose.pose(dict.fromkeys(target.fields, 1.0))
-        now = {"skin": pose.points, **pose.parts}
-        moved = {name: now[name] - points for name, points in rest.items()}
-        shapes.append(Shape(f"AU{target.name}", moved, pose.normals - upright))
-    return shapes
 
 
 def still_performance(project: Project, basis: Basis) -> Performance:
-    """One frame that shows the project's expression; the lower teeth and the tongue move by their shapes."""
-    weights = target_weights(project.expression, targets(project.units, basis))
-    joints = joints_of(project.face, [rigid_pose(project.face, {})], [np.eye(4)])
-    shapes = tuple(still_shapes(project, basis))
-    return Performance(24.0, np.zeros(1), shapes, np.array(weights).reshape(1, len(shapes)), joints, 0.0)
+    """One frame that shows the project's expression; jaw and eyes move by their shapes, the head by its joint."""
+    face = project.face
+    morphs = morphs_of(project, basis)
+    upright = stance_of(face, rig_of(()).posture(face, {}), np.eye(4))
+    held = stance_of(face, rig_of(project.units).posture(face, project.expression), np.eye(4)).head
+    joints = joints_of(face, [replace(upright, head=held)])
+    shapes = tuple(Shape(morph.name, morph.moves, morph.turns) for morph in morphs)
+    weights = np.array([morph.weight for morph in morphs]).reshape(1, len(shapes))
+    return Performance(24.0, np.zeros(1), shapes, weights, joints, 0.0)

@@ -38,7 +38,7 @@ def _write(
     else:
         played = performance(take, solution.basis, asked, progress)
     first = 0 if take is None else round(take.start * take.rate)
-    stream.write(stage_bytes(kind, project.face, solution.basis, played, first))
+    stream.write(stage_bytes(kind, project, solution.basis, played, first))
     return "" if take is None else played.remark
 
 

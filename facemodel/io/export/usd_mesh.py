@@ -9,7 +9,6 @@ from pxr import Gf, Sdf, Tf, UsdGeom, UsdShade, UsdSkel, Vt
 
 from facemodel.face import Face
 from facemodel.io.export.appearance import APPEARANCES, linear
-from facemodel.io.export.frames import SKIN
 from facemodel.io.export.gltf_mesh import METRES, UNSEEN, UNSEEN_TURN, moves_seen
 from facemodel.io.export.joints import HEAD, joint_of
 from facemodel.io.export.performance import Performance, Shape
@@ -80,14 +79,15 @@ class UsdMeshes:
         """A blend shape that holds only the points it moves."""
         moved = np.float32(METRES) * shape.moved[name]
         rows = np.flatnonzero(np.abs(moved).max(axis=1) > UNSEEN)
-        if name == SKIN:
-            turned = np.abs(shape.normals).max(axis=1) > UNSEEN_TURN
+        turns = shape.turns.get(name)
+        if turns is not None:
+            turned = np.abs(turns).max(axis=1) > UNSEEN_TURN
             rows = np.union1d(rows, np.flatnonzero(turned))
         made = UsdSkel.BlendShape.Define(self._stage, path)
         made.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(moved[rows])))
         made.CreatePointIndicesAttr(Vt.IntArray.FromNumpy(rows.astype(np.int32)))
-        if name == SKIN:
-            made.CreateNormalOffsetsAttr(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(shape.normals[rows])))
+        if turns is not None:
+            made.CreateNormalOffsetsAttr(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(turns[rows])))
         return path
 
     def _colour(self, mesh: Any, piece: Piece) -> None:

@@ -15,20 +15,22 @@ from facemodel.io.export.performance import Performance
 from facemodel.io.export.pieces import pieces
 from facemodel.io.export.usd_mesh import UsdMeshes
 from facemodel.io.export.usd_skeleton import add_animation, add_skeleton
+from facemodel.project import Project
 
 ROOT = Sdf.Path("/Face")
 
 
-def stage_bytes(kind: str, face: Face, basis: Basis, played: Performance, first: int) -> bytes:
+def stage_bytes(kind: str, project: Project, basis: Basis, played: Performance, first: int) -> bytes:
     """The bytes of a file.
 
     Parameters
     ----------
     kind : ``usda`` or ``usdc``
-    face, basis : the meshes at rest
+    project, basis : the meshes at rest
     played : shapes and joints over time
     first : number of the first frame
     """
+    face = project.face
     stage = _stage(face, played, first)
     root = UsdSkel.Root.Define(stage, ROOT)
     stage.SetDefaultPrim(root.GetPrim())
@@ -37,7 +39,7 @@ def stage_bytes(kind: str, face: Face, basis: Basis, played: Performance, first:
     skeleton = add_skeleton(stage, ROOT.AppendChild("Skeleton"), played.joints)
     add_animation(stage, skeleton, played, first)
     meshes = UsdMeshes(stage, ROOT, skeleton, face, played)
-    for piece in pieces(face, basis, {}):
+    for piece in pieces(project, basis, {}):
         meshes.add(piece)
     root.CreateExtentAttr(meshes.extent)
     return _bytes(stage.GetRootLayer(), kind)
