@@ -1,4 +1,4 @@
-"""The clip that is tried: the default face smiles, blinks, opens its jaw, looks round and turns its head."""
+"""The clip that is tried: the default face smiles, blinks, opens its jaw, shows its tongue and turns eyes and head."""
 
 from __future__ import annotations
 
@@ -31,6 +31,7 @@ PEAKS = {
     "43L": 1.0,
     "43R": 0.6,
     "26": 0.8,
+    "19": 0.7,
     "4L": 0.7,
     "head.yaw": 20.0,
     "head.pitch": -8.0,

@@ -20,7 +20,7 @@ class PosedFrames:
 
     Attributes
     ----------
-    names : the meshes that the skin moves: itself, and the parts that it carries
+    names : the meshes that bend: the skin, the parts that it carries, and the tongue, which bends within the jaw
     rest : (3 Q,) float32, their points at rest one mesh behind the other; of the skin only those that can move
 
     Parameters
@@ -31,8 +31,12 @@ class PosedFrames:
     def __init__(self, project: Project, basis: Basis) -> None:
         self._posed = Superposition(project.face, basis, rig_of(project.units))
         self._moving = basis.display.moving
-        self.names = (SKIN, *(name for name, _ in basis.display.carried))
+        self._carried = tuple(name for name, _ in basis.display.carried)
+        tongues = [part for part in project.face.parts if part.kind == "tongue" and part.carrier == "jaw"]
+        self._tongues = tuple(part.name for part in tongues)
+        self.names = (SKIN, *self._carried, *self._tongues)
         counts = [self._moving, *(count for _, count in basis.display.carried)]
+        counts += [len(part.mesh.positions) for part in tongues]
         ends = np.cumsum(counts)
         self._places = {
             name: slice(end - count, end) for name, count, end in zip(self.names, counts, ends.tolist(), strict=True)
@@ -67,8 +71,10 @@ class PosedFrames:
         return whole
 
     def _points(self) -> Float32Array:
-        parts = [self._posed.parts[name] for name in self.names[1:]]
-        return np.concatenate([self._posed.points[: self._moving], *parts]).ravel()
+        posed, back = self._posed, np.linalg.inv(self._posed.jaw)
+        carried = [posed.parts[name] for name in self._carried]
+        tongues = [posed.parts[name] @ back[:3, :3].T + back[:3, 3] for name in self._tongues]
+        return np.concatenate([posed.points[: self._moving], *carried, *tongues]).astype(np.float32).ravel()
 
 
 def sample_frames(take: Take, most: int) -> list[int]:

@@ -59,7 +59,8 @@ class Performance:
     shapes : (K,) of them
     weights : (T, K)
     joints : head, jaw and eyes
-    apart : millimetres, the largest distance of a point that the skin moves from where the editor draws it
+    apart : millimetres, the largest distance of a point that bends from where the editor draws it
+    still : whether all but the head moves by shapes, as in a face that other programs animate
     """
 
     rate: float
@@ -68,6 +69,7 @@ class Performance:
     weights: FloatArray
     joints: tuple[Joint, ...]
     apart: float
+    still: bool = False
 
     @property
     def remark(self) -> str:

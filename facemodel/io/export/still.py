@@ -23,4 +23,4 @@ def still_performance(project: Project, basis: Basis) -> Performance:
     joints = joints_of(face, [replace(upright, head=held)])
     shapes = tuple(Shape(morph.name, morph.moves, morph.turns) for morph in morphs)
     weights = np.array([morph.weight for morph in morphs]).reshape(1, len(shapes))
-    return Performance(24.0, np.zeros(1), shapes, weights, joints, 0.0)
+    return Performance(24.0, np.zeros(1), shapes, weights, joints, 0.0, still=True)

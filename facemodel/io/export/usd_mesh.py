@@ -35,7 +35,7 @@ class UsdMeshes:
         self._joints = [joint.name for joint in played.joints]
         self._jaw_parts = {part.name for part in face.parts if part.carrier == "jaw"}
         # A face that stands still moves its lower teeth by shapes, as it moves its skin.
-        self._rigid_jaw = not any(moves_seen(shape, name) for shape in played.shapes for name in self._jaw_parts)
+        self._rigid_jaw = not played.still
         self._materials: dict[str, Any] = {}
         self.extent: Any = None
         self._low, self._high = np.full(3, np.inf), np.full(3, -np.inf)
