@@ -51,7 +51,7 @@ class Playhead:
         self._evaluator = self._made()
         document.animation_changed.connect(self._follow)
         document.units_changed.connect(self._follow)
-        document.project_changed.connect(self._follow)
+        document.project_changed.connect(self._begin)
         self._show()
 
     @property
@@ -175,12 +175,9 @@ class Playhead:
         """Let go of the document; its sliders are shown again."""
         self._set_playing(False)
         self._document.keying = None
-        for signal in (
-            self._document.animation_changed,
-            self._document.units_changed,
-            self._document.project_changed,
-        ):
-            signal.disconnect(self._follow)
+        self._document.animation_changed.disconnect(self._follow)
+        self._document.units_changed.disconnect(self._follow)
+        self._document.project_changed.disconnect(self._begin)
         self._document.play({})
 
     @property
@@ -199,6 +196,14 @@ class Playhead:
             if project.animation.track(name) is not None or weight != project.expression.get(name, 0.0)
         }
         return replace(project, animation=keyed(project.animation, self._time, wanted, project.units))
+
+    def _begin(self) -> None:
+        """Another project: it is looked at first, from where it starts unless it goes on at this time."""
+        self._set_playing(False)
+        animation = self._animation
+        self._follow()
+        if not animation.start <= self._time <= animation.end:
+            self._stand(animation.start)
 
     def _follow(self) -> None:
         self._evaluator = self._made()

@@ -14,6 +14,7 @@ from app.timeline.chosen import Chosen, carried
 from app.timeline.clipping import NOTHING_COPIED, Clipping
 from app.timeline.state import TimelineState
 from facemodel.animation.clip import Animation
+from facemodel.sameness import same
 
 GESTURES = count(1)
 """Numbers that tell the gestures of a session apart."""
@@ -75,7 +76,7 @@ class Timeline:
         self.change(chosen=chosen, page="" if chosen != self.chosen else self._state.page)
 
     def edit(self, after: Animation, label: str, gesture: str = "", chosen: Chosen | None = None) -> None:
-        """Go to another animation in one step, and choose what stands there now.
+        """Go to another animation in one step, if it is another, and choose what stands there now.
 
         Parameters
         ----------
@@ -85,7 +86,7 @@ class Timeline:
         chosen : what is chosen then; what was chosen as far as it is still there if not given
         """
         project = self.document.project
-        if after is not project.animation:
+        if not same(after, project.animation):
             self.document.edit(replace(project, animation=after), label, gesture)
         if chosen is not None:
             self.choose(carried(chosen, after, self.animation))

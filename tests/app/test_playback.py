@@ -142,6 +142,18 @@ def test_a_sound_that_jumped_is_followed_at_once(watch: Watch) -> None:
     assert clock.time == 5.0
 
 
+def test_another_project_is_looked_at_before_it_is_played(document: Document, playhead: Playhead) -> None:
+    playhead.go(1.5)
+    playhead.play()
+    other = replace(document.project, animation=Animation((RISE,), end=1.0))
+    document.restore(other, None)
+    assert not playhead.playing
+    assert (playhead.time, document.shown) == (0.0, {})
+    playhead.go(0.5)
+    document.restore(document.project, None)
+    assert (playhead.time, document.shown) == (0.5, {"12L": 0.25})
+
+
 def test_an_edit_is_seen_at_once_and_so_is_its_undoing(document: Document, playhead: Playhead) -> None:
     playhead.go(1.0)
     animate(document, Animation((replace(RISE, curve=curve_of([Key(0, 0.8)])),)))

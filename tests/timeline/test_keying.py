@@ -52,6 +52,13 @@ def test_a_key_expression_holds_what_is_seen(timeline: Timeline, document: Docum
     assert document.shown["17"] == pytest.approx(0.9)
 
 
+def test_what_is_keyed_already_is_no_step(timeline: Timeline, document: Document) -> None:
+    keying.key_expression(timeline)
+    steps = document.history.done
+    keying.key_expression(timeline)
+    assert document.history.done == steps
+
+
 def test_keys_are_set_on_whole_frames(timeline: Timeline) -> None:
     timeline.playhead.go(1.016)
     keying.key_channels(timeline, ["17"])
