@@ -13,7 +13,7 @@ from ui.timeline.hands import Grip, Hands
 from ui.timeline.hits import FINGER
 from ui.timeline.navigation import Navigator
 from ui.timeline.paint.ground import Pane
-from ui.timeline.paint.ruler import HEIGHT, MARKS, TIMES, head_width, paint_head, paint_ruler
+from ui.timeline.paint.ruler import HEAD_REACH, HEIGHT, MARKS, TIMES, paint_head, paint_ruler
 from ui.timeline.ruler_grips import goes_sideways, grasp, mark_at
 from ui.timeline.view import TimelineView
 
@@ -150,4 +150,4 @@ class Ruler(QWidget):
     def _move_head(self, _time: float) -> None:
         now = int(self._view.scale.x(self._timeline.playhead.time))
         for x in (self._head, now):
-            self.update(QRect(x - head_width() // 2, 0, head_width(), HEIGHT))
+            self.update(QRect(x - HEAD_REACH, 0, 2 * HEAD_REACH, HEIGHT))

@@ -17,6 +17,9 @@ EARLIEST = -2.0
 AIR = 28.0
 """Pixels on either side of what is brought into view: half a portrait of a key expression and a little more."""
 
+TENTHS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
+"""Steps between labels in seconds, below one."""
+
 LABEL_ROOM = 84
 """Pixels that a label of the ruler needs."""
 
@@ -81,8 +84,8 @@ class Tick:
 
 def ticks(scale: TimeScale, width: float, rate: float, style: TimeStyle) -> Iterator[Tick]:
     """The lines of the ruler from left to right, labelled where there is room."""
-    step = tick_step(scale.seconds(LABEL_ROOM), rate)
-    finer = step / _parts(step, rate)
+    step = tick_step(scale.seconds(LABEL_ROOM), rate, style)
+    finer = step / _parts(step, rate, style)
     first, last = math.floor(scale.begin / finer), math.ceil(scale.end(width) / finer)
     every = round(step / finer)
     for number in range(max(first, 0), last + 1):
@@ -90,15 +93,20 @@ def ticks(scale: TimeScale, width: float, rate: float, style: TimeStyle) -> Iter
         yield Tick(time, written(time, rate, style) if number % every == 0 else "")
 
 
-def tick_step(least: float, rate: float) -> float:
-    """The shortest good step between labels of at least so many seconds: whole frames, then whole seconds."""
-    frames = [count for count in (1, 2, 5, 10, 15, 20) if count < rate]
-    steps = [count / rate for count in frames] + [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600]
+def tick_step(least: float, rate: float, style: TimeStyle = "timecode") -> float:
+    """The shortest good step between labels of at least so many seconds: whole frames, or tenths and hundredths where
+    seconds are written, then whole seconds.
+    """
+    frames = [count / rate for count in (1, 2, 5, 10, 15, 20) if count < rate]
+    below = TENTHS if style == "seconds" else frames
+    steps = [*below, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600]
     return next((step for step in steps if step >= least), 3600.0 * math.ceil(least / 3600.0))
 
 
-def _parts(step: float, rate: float) -> int:
+def _parts(step: float, rate: float, style: TimeStyle) -> int:
     """Into how many the step between labels is divided."""
+    if step < 1.0 and style == "seconds":
+        return 5
     count = round(step * rate) if step < 1.0 else round(step)
     if step < 1.0:
         return 5 if count % 5 == 0 else max(count, 1) if count <= 4 else 1

@@ -8,6 +8,8 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 from tests.ui.timeline.stage import CTRL, SHIFT, Stage
 from ui.timeline.paint.heads import fold_area, switch_area, value_area
 from ui.timeline.paint.ruler import BAND, MARKS, TIMES
+from ui.timeline.time_field import STYLES
+from ui.timeline.time_scale import TimeScale, ticks
 from ui.widgets.number_edit import NumberEdit
 
 
@@ -175,3 +177,11 @@ def test_a_rate_is_one_step(stage: Stage) -> None:
     QTest.keyClicks(editor, "500")
     QTest.keyClick(editor, Qt.Key.Key_Return)
     assert stage.animation.rate == 120.0
+
+
+def test_labels_in_seconds_stand_on_tenths_and_others_on_frames() -> None:
+    scale = TimeScale(0.0, 130.0)
+    labels = {style: [tick.label for tick in ticks(scale, 400, 30.0, style) if tick.label] for style in STYLES}
+    assert labels["seconds"][:3] == ["0.000 s", "1.000 s", "2.000 s"]
+    assert labels["frames"][:3] == ["0", "20", "40"]
+    assert [tick.label for tick in ticks(TimeScale(0.0, 500.0), 400, 30.0, "seconds") if tick.label][1] == "0.200 s"

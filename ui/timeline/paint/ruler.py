@@ -21,6 +21,9 @@ HEIGHT = TIMES + MARKS + BAND
 NO_HOURS = "00:"
 """What the ruler leaves out of times within the first hour."""
 
+HEAD_REACH = 48
+"""Pixels to either side of the playhead that its head may take."""
+
 FLAG = 7.0
 """Pixels of a marker's flag."""
 
@@ -55,11 +58,6 @@ def paint_head(painter: QPainter, pane: Pane, time: float) -> None:
     painter.drawLine(QLineF(x, tag.bottom(), x, HEIGHT))
     painter.setPen(QColor(theme.on_accent))
     painter.drawText(tag, Qt.AlignmentFlag.AlignCenter, text)
-
-
-def head_width() -> int:
-    """Pixels to either side of the playhead that its head may take."""
-    return 48
 
 
 def band_of(pane: Pane) -> QRectF | None:
