@@ -16,7 +16,7 @@ from ui.widgets.number_scale import NumberScale
 
 FIELDS = (
     ("Blinks", NumberScale(0.0, 60.0, 15.0, "/min"), "blinks"),
-    ("Small jumps of the eyes", NumberScale(0.0, 3.0, 1.0, "×"), "saccades"),
+    ("Jumps of the eyes", NumberScale(0.0, 3.0, 1.0, "×"), "saccades"),
     ("Breathing", NumberScale(0.0, 3.0, 1.0, "×"), "breathing"),
     ("Breaths", NumberScale(4.0, 40.0, 14.0, "/min"), "breaths"),
     ("Seed", NumberScale(0.0, 999.0, 1.0, whole=True), "seed"),
