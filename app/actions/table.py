@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from app.actions.action import Action
 from app.actions.content import content_actions
 from app.actions.context import Context
@@ -14,6 +16,8 @@ from app.actions.window import WINDOW_ACTIONS
 
 MENUS = ("File", "Edit", "View", "Face", "Animation", "Solve", "Window", "Help")
 """The menu bar, from left to right."""
+
+QUIT = "file.quit"
 
 
 def all_actions(context: Context) -> tuple[Action, ...]:
@@ -31,3 +35,8 @@ def all_actions(context: Context) -> tuple[Action, ...]:
         *WINDOW_ACTIONS,
         *content_actions(context.document.project),
     )
+
+
+def in_order(actions: Iterable[Action]) -> tuple[Action, ...]:
+    """Actions of several tables in one; what quits stays the last entry of its menu."""
+    return tuple(sorted(actions, key=lambda action: action.id == QUIT))

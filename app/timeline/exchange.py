@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
 from app.actions.action import Action
 from app.actions.context import Context, FileQuestion
-from app.actions.files import may_leave
 from app.actions.paths import folder, with_suffix
 from app.authoring.importing import with_sound, with_spoken
 from app.jobs import Deliver, Failure, Job
 from app.timeline.timeline import Timeline
 from facemodel.animation.capture import Capture
-from facemodel.animation.demo import demo_animation
 from facemodel.animation.evaluation import sampled
 from facemodel.animation.sound import Sound
 from facemodel.errors import RisoriusError
-from facemodel.faces import DEFAULT_FACE
 from facemodel.io.audio import read_sound
 from facemodel.io.speech.reading import READABLE as SPEECH
 from facemodel.io.speech.reading import read_speech
@@ -146,15 +143,6 @@ class Exchange:
 
         self._begin(f"Writing {target.name}", write, self._written)
 
-    def open_demo(self) -> None:
-        """Begin a project with the piece that shows what a face can do."""
-        if may_leave(self._context):
-            document = self._timeline.document
-            document.new(DEFAULT_FACE)
-            project = document.project
-            document.edit(replace(project, animation=demo_animation(project.units)), "Demo")
-            self._timeline.playhead.go(0.0)
-
     def close(self) -> None:
         """Read and write no more."""
         self.job.close()
@@ -210,7 +198,7 @@ def _importing(exchange: Callable[[], Exchange]) -> tuple[Action, ...]:
         ("timeline.import-sound", "Sound…", "A WAV file that plays along from the playhead on",
          lambda _: exchange().import_sound()),
     )  # fmt: skip
-    return tuple(Action(key, title, run, menu=IMPORT, group=1, hint=hint) for key, title, hint, run in entries)
+    return tuple(Action(key, title, run, menu=IMPORT, group=2, hint=hint) for key, title, hint, run in entries)
 
 
 def _exporting(exchange: Callable[[], Exchange], timeline: Timeline) -> tuple[Action, ...]:
@@ -251,12 +239,5 @@ def _asking(exchange: Callable[[], Exchange]) -> tuple[Action, ...]:
             menu=("Animation",),
             group=5,
             hint="Change what the sounds of speech look like",
-        ),
-        Action(
-            "timeline.demo",
-            "Demo: seven emotions and a line",
-            lambda _context: exchange().open_demo(),
-            menu=("File", "Examples"),
-            hint="Open the piece of twenty seconds that shows what a face can do",
         ),
     )

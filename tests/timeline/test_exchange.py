@@ -145,17 +145,6 @@ def test_a_still_face_has_nothing_to_export(act, document: Document, desk: Desk,
     assert desk.questions == []
 
 
-def test_the_demo_begins_a_project_after_a_question(act, document: Document, desk: Desk, timeline: Timeline) -> None:
-    document.set_weights({"17": 0.4})
-    act("timeline.demo")
-    assert timeline.animation.track("17") is not None
-    desk.answer = "discard"
-    act("timeline.demo")
-    assert timeline.animation.end == 20.0
-    assert len(timeline.animation.speech.phonemes) > 10
-    assert document.history.done == ("Demo",)
-
-
 def test_typing_and_visemes_open_their_dialogs(act, asked: Asked) -> None:
     act("timeline.type-speech")
     act("timeline.visemes")

@@ -15,7 +15,7 @@ OFFERS: Sequence[tuple[str, str]] = (
     ("timeline.key", "Key this expression"),
     ("timeline.drop.happiness", "Add a smile"),
     ("timeline.import", "Import a capture…"),
-    ("timeline.demo", "Show the demo"),
+    ("file.example.demo", "Show the demo"),
 )
 
 

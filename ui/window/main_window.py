@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMainWindow
 from app.actions.action import Action, perform
 from app.actions.context import Context
 from app.actions.files import may_leave
-from app.actions.table import all_actions
+from app.actions.table import all_actions, in_order
 from app.document import Document
 from app.settings import UserSettings
 from app.solving import Solving
@@ -230,7 +230,7 @@ class MainWindow(QMainWindow):
         of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
         authoring = (*MUSCLE_ACTIONS, *UNIT_ACTIONS, *SCULPT_ACTIONS, *skull_actions(self.toolbox.bench))
         of_window = (*all_actions(context), *desk_actions(self.span, lambda: self.timeline), self._console_action())
-        return (*of_window, *authoring, *workspace_actions(WORKSPACES), *of_tools)
+        return in_order((*of_window, *authoring, *workspace_actions(WORKSPACES), *of_tools))
 
     def _console_action(self) -> Action:
         """For the palette and for keys of one's own; the menu has the dock's own switch."""
