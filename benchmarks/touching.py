@@ -18,8 +18,14 @@ from fem.types import BoolArray, FloatArray, IntArray
 LIP = 8.0
 """Millimetres from the edge of a lip within which its skin may meet something."""
 
+CORNER = 0.9
+"""Share of half the mouth up to which there are two lips; in its corners one piece of skin creases."""
+
 AROUND = 10.0
 """Millimetres from that edge up to which the other lip is one surface."""
+
+THICK = 8.0
+"""Millimetres; what is farther behind a lip than that is not in it but in the open mouth, before its other end."""
 
 ON_EDGE = 1e-3
 """Barycentric coordinates below this are on the edge of a triangle."""
@@ -60,7 +66,7 @@ class MouthDepths:
         edge = face.skin.positions[np.concatenate([mouth.upper, mouth.lower])]
         away = KDTree(edge).query(display.points)[0]
         right, left = face.skin.positions[list(mouth.corners)][:, 0]
-        within = (display.points[:, 0] > right) & (display.points[:, 0] < left)
+        within = np.abs(display.points[:, 0] - (right + left) / 2) < CORNER * (left - right) / 2
         self._lips = tuple(np.flatnonzero((away < LIP) & within & (upper == up)) for up in (True, False))
         self._patches = tuple(_patch(display.triangles, (away < AROUND) & (upper == up)) for up in (True, False))
         rows = [part for part in face.parts if part.kind == "teeth"]
@@ -102,7 +108,7 @@ def _behind(points: FloatArray, patch: Patch, surface: FloatArray) -> float:
     opposite = [np.cross(corners[:, (k + 1) % 3] - nearest, corners[:, (k + 2) % 3] - nearest) for k in range(3)]
     share = np.linalg.norm(np.stack(opposite, axis=1), axis=2)
     share /= share.sum(axis=1, keepdims=True) + 1e-12
-    beside = ((share < ON_EDGE) | border[triangles[at]]).all(axis=1)
+    beside = ((share < ON_EDGE) | border[triangles[at]]).all(axis=1) | (signed < -THICK)
     return float(np.where(beside, 0.0, -signed).max(initial=0.0))
 
 

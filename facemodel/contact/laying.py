@@ -59,7 +59,8 @@ def slit_columns(
     for each in columns:
         read[np.unique(each.operator.indices)] = True
     rows = np.flatnonzero(moved | read | also)
-    within = np.clip((frame.along(slit.rest[rows]) - (right + left) / 2) / (reach.end * (left - right) / 2), -1, 1)
+    reaching = reach.corner * (left - right) / 2
+    within = np.clip((frame.along(slit.rest[rows]) - (right + left) / 2) / reaching, -1, 1)
     near = slit.away[rows] < reach.kept * np.sqrt(1 - within**2)
     return rows, SlitColumns(
         frame,

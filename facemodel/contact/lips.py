@@ -27,6 +27,10 @@ FLATTENED = 0.25
 """Share of an overlap in which lips flatten against each other rather than give way: they are soft."""
 
 
+LEFT = 0.1
+"""Millimetres that lips may still be in each other before they are parted once more, where they have moved to."""
+
+
 class LipColumns:
     """The columns of a mouth, and how its lips are kept apart in width and depth.
 
@@ -97,9 +101,12 @@ class Lips:
         way = (1 - FLATTENED) * overlap
         self._mouth.columns.part(here, meeting.reading, SHARE * way, (1 - SHARE) * way)
         self._mouth.keep_apart(here, meeting, self._spared)
+        after = self._mouth.meeting(here)
+        if (-after.gap - self._resting).max() > LEFT:
+            self._mouth.keep_apart(here, after, self._spared)
 
 
-def lay_lips(face: Face, display: DisplaySurface) -> tuple[IntArray, LipColumns] | None:
+def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[IntArray, LipColumns] | None:
     """The live points about the mouth and its columns; none on a face without the slit of a mouth."""
     mouth = mouth_of(face)
     slit = None if mouth is None else drawn_slit(face, display, mouth)
@@ -107,5 +114,5 @@ def lay_lips(face: Face, display: DisplaySurface) -> tuple[IntArray, LipColumns]
         return None
     right, left = slit.corners
     frame = Flat((right + left) / 2, axes_between(right, left))
-    laid = slit_columns(slit, display, frame, LIPS, np.zeros(len(slit.rest), dtype=np.bool_))
+    laid = slit_columns(slit, display, frame, reach, np.zeros(len(slit.rest), dtype=np.bool_))
     return None if laid is None else (laid[0], LipColumns(laid[1], frame))

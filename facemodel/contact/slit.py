@@ -21,6 +21,7 @@ class Reach:
     whole, faded : up to where the skin goes with the edge, and from where on it stays, above and below
     kept : up to where a point is kept on its own side
     end : share of half the slit at which the outermost columns lie; in the corner itself both sides are one
+    corner : share of it at which no point is kept any more; fewer are the nearer they are
     """
 
     profile: float
@@ -28,6 +29,7 @@ class Reach:
     faded: tuple[float, float]
     kept: float
     end: float
+    corner: float = 1.0
 
     def beyond(self, margin: float) -> Reach:
         """The same from the edge of the slit, if the columns end so many millimetres from it."""

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from facemodel.contact.contact import live_at_rest
-from facemodel.contact.lips import lay_lips
+from facemodel.contact.lips import LIPS, lay_lips
 from facemodel.face import Face
 from facemodel.sampling import ELEMENTS, display_surface, head_surface, points_of_vertices
 from fem.types import Float32Array
@@ -25,6 +25,10 @@ DENSITY = 3
 """Segments per edge of an element on which the lips are compared, as they are drawn."""
 
 
+CLOSING = replace(LIPS, corner=LIPS.end)
+"""The skin of the corners is left as it is: closed by force it would be drawn out, and with it the chart."""
+
+
 def with_closed_lips(face: Face) -> Face:
     """A face whose lips touch from corner to corner; a face without the slit of a mouth stays as it is.
 
@@ -33,7 +37,7 @@ def with_closed_lips(face: Face) -> Face:
     """
     for _ in range(ROUNDS):
         display = display_surface(face, head_surface(face, ELEMENTS["hct12"]), DENSITY)
-        laid = lay_lips(face, display)
+        laid = lay_lips(face, display, CLOSING)
         if laid is None:
             return face
         rows, mouth = laid
