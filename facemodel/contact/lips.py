@@ -31,6 +31,10 @@ LEFT = 0.1
 """Millimetres that lips may still be in each other before they are parted once more, where they have moved to."""
 
 
+PRESSED = 2.0
+"""Millimetres of overlap from which on nothing is left to be as it is at rest: pressed lips lie flat on each other."""
+
+
 class LipColumns:
     """The columns of a mouth, and how its lips are kept apart in width and depth.
 
@@ -100,10 +104,12 @@ class Lips:
             return
         way = (1 - FLATTENED) * overlap
         self._mouth.columns.part(here, meeting.reading, SHARE * way, (1 - SHARE) * way)
-        self._mouth.keep_apart(here, meeting, self._spared)
+        still = 1 - min(float(overlap.max()) / PRESSED, 1.0)
+        spared = [still * each for each in self._spared]
+        self._mouth.keep_apart(here, meeting, spared)
         after = self._mouth.meeting(here)
-        if (-after.gap - self._resting).max() > LEFT:
-            self._mouth.keep_apart(here, after, self._spared)
+        if (-after.gap - still * self._resting).max() > LEFT:
+            self._mouth.keep_apart(here, after, spared)
 
 
 def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[IntArray, LipColumns] | None:
