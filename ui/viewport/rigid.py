@@ -7,14 +7,12 @@ from ui.viewport.scene import Scene
 
 
 def turn_head(scene: Scene, rigid: Rigid) -> None:
-    """Turn head and eyes of the face that is drawn.
+    """Turn head and eyes of the face that is drawn; it is seen when the face is posed next.
 
     Parameters
     ----------
     scene : where it is drawn
     rigid : degrees and millimetres by channel; those not named rest
     """
-    if scene.figure is None or scene.drawn is None:
-        return
-    scene.figure.posed.turned = rigid
-    scene.pose(scene.drawn.expression)
+    if scene.figure is not None:
+        scene.figure.posed.turned = rigid

@@ -223,15 +223,14 @@ class Viewport(QWidget):
         self.canvas.ask_frame()
 
     def _before_frame(self) -> None:
-        """Pose once per frame, however often the expression changed since the last one."""
-        if self._pose_due:
-            self._pose_due = False
+        """Pose once per frame, however often expression, head and eyes changed since the last one."""
+        if self._turn_due:
+            turn_head(self.scene, self._rigid)
+        if self._pose_due or self._turn_due:
+            self._pose_due = self._turn_due = False
             start = time.perf_counter()
             self.scene.pose(seen(self._document, self._view.state))
             self._posed = 1000 * (time.perf_counter() - start)
-        if self._turn_due:
-            self._turn_due = False
-            turn_head(self.scene, self._rigid)
         self.scene.before_frame()
 
     def _note_time(self, drawing: float) -> None:
