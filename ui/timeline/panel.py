@@ -187,7 +187,8 @@ class TimelinePanel(QWidget):
         self.scroll.setVisible(self.view.lowest > 0)
 
     def _reveal(self, time: float) -> None:
-        if self._timeline.playhead.playing:
+        """Wherever the playhead goes it is seen, but under a hand that holds it nothing is turned over."""
+        if self._timeline.playhead.playing or not self.ruler.hands.busy:
             self.view.reveal(time)
 
 

@@ -61,10 +61,10 @@ class Ruler(QWidget):
         )
 
     def spot(self, place: QPointF, held: Keys = Keys.NoModifier) -> Spot:
-        """Where in time a point is."""
+        """Where in time a point is; beside the ruler, what its edge shows."""
         scale = self._view.scale
         return Spot(
-            scale.time(place.x()),
+            scale.time(min(max(place.x(), 0.0), float(self.width()))),
             reach=scale.seconds(FINGER),
             shift=bool(held & Keys.ShiftModifier),
             control=bool(held & Keys.ControlModifier),
@@ -91,8 +91,8 @@ class Ruler(QWidget):
         if self._navigator.move(event):
             return
         if self.hands.busy:
+            self._view.follow(event.position().x())
             self.hands.move(event)
-            self._view.reveal(self._view.scale.time(event.position().x()))
         else:
             sideways = goes_sideways(self.pane(), event.position())
             self.setCursor(SIDEWAYS if sideways else Qt.CursorShape.ArrowCursor)

@@ -106,6 +106,12 @@ class TimelineView(QObject):
         self.see(fitted(start, end, self.width))
         self.framed.emit()
 
+    def follow(self, x: float) -> None:
+        """Go along with a hand that has gone over an edge, as far as it is beyond."""
+        beyond = min(x, 0.0) + max(x - self.width, 0.0)
+        if beyond:
+            self.see(self.scale.panned(-beyond))
+
     def reveal(self, time: float) -> None:
         """Turn the page if a time is out of sight."""
         begin, end = self.scale.begin, self.scale.end(self.width)

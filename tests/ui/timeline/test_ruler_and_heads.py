@@ -185,3 +185,21 @@ def test_labels_in_seconds_stand_on_tenths_and_others_on_frames() -> None:
     assert labels["seconds"][:3] == ["0.000 s", "1.000 s", "2.000 s"]
     assert labels["frames"][:3] == ["0", "20", "40"]
     assert [tick.label for tick in ticks(TimeScale(0.0, 500.0), 400, 30.0, "seconds") if tick.label][1] == "0.200 s"
+
+
+def test_the_playhead_is_seen_wherever_it_goes(stage: Stage) -> None:
+    stage.view.frame(0.0, 0.5)
+    stage.key(Qt.Key.Key_Right, CTRL)
+    stage.key(Qt.Key.Key_Right, CTRL)
+    assert stage.timeline.playhead.time == 1.0
+    assert 0 <= stage.x(1.0) <= stage.panel.ruler.width()
+
+
+def test_what_is_seen_goes_along_with_a_hand_that_scrubs_over_the_edge(stage: Stage) -> None:
+    stage.view.frame(0.0, 0.5)
+    near = stage.view.scale.per_second
+    ruler = stage.panel.ruler
+    stage.drag(on_ruler(stage, 0.2, 8), QPoint(ruler.width() + 100, 8), widget=ruler)
+    assert stage.timeline.playhead.time > 0.55
+    assert stage.view.scale.per_second == near
+    assert stage.x(stage.timeline.playhead.time) == pytest.approx(ruler.width(), abs=near / 30)
