@@ -11,7 +11,7 @@ from facemodel.laying.collection import muscle_of
 from facemodel.sameness import same
 from tests.ui.hands import move
 from tests.ui.window.conftest import document, open_window, project, settings, solution  # noqa: F401
-from tests.ui.window.seen import differs, next_frame, picture
+from tests.ui.window.seen import differs, next_frame, picture, pixel
 from ui.window.main_window import MainWindow
 
 MUSCLE = "zygomaticus_major_L"
@@ -28,15 +28,6 @@ def editor(open_window, document, qtbot) -> MainWindow:  # noqa: F811
     window.toolbox.take("fibre")
     next_frame(window)
     return window
-
-
-def pixel(editor: MainWindow, place: np.ndarray) -> QPoint:
-    renderer, canvas = editor.viewport.scene.renderer, editor.viewport.canvas
-    renderer.SetWorldPoint(*place, 1.0)
-    renderer.WorldToDisplay()
-    x, y, _ = renderer.GetDisplayPoint()
-    scale = canvas.devicePixelRatioF()
-    return QPoint(round(x / scale), round(canvas.height() - 1 - y / scale))
 
 
 def attachment(document) -> np.ndarray:  # noqa: F811

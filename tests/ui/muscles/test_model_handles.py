@@ -18,7 +18,7 @@ from facemodel.sameness import same
 from tests.ui.hands import move
 from tests.ui.window.conftest import document, open_window, project, settings, solution  # noqa: F401
 from tests.ui.window.conftest import window as window
-from tests.ui.window.seen import differs, next_frame, picture
+from tests.ui.window.seen import differs, next_frame, picture, pixel
 from ui.widgets.legend_card import LegendCard
 from ui.window.main_window import MainWindow
 
@@ -43,15 +43,6 @@ def under(editor: MainWindow, key: str, **members: object) -> Muscle:
     editor.context.view.change(muscle=key)
     next_frame(editor)
     return muscle
-
-
-def pixel(editor: MainWindow, place: np.ndarray) -> QPoint:
-    renderer, canvas = editor.viewport.scene.renderer, editor.viewport.canvas
-    renderer.SetWorldPoint(*place, 1.0)
-    renderer.WorldToDisplay()
-    x, y, _ = renderer.GetDisplayPoint()
-    scale = canvas.devicePixelRatioF()
-    return QPoint(round(x / scale), round(canvas.height() - 1 - y / scale))
 
 
 def handle(editor: MainWindow, key: str, part: str, place: int = 0) -> Handle:

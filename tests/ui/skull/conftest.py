@@ -1,6 +1,5 @@
 """The editor on the default face, opened in the Skull workspace and seen from the subject's left."""
 
-import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -11,7 +10,7 @@ from app.tools.place_skull import PlaceTool
 from tests.ui.hands import move
 from tests.ui.window.conftest import answer, document, open_window, project, settings, solution  # noqa: F401
 from tests.ui.window.conftest import window as window
-from tests.ui.window.seen import next_frame
+from tests.ui.window.seen import next_frame, pixel
 from ui.window.main_window import MainWindow
 
 
@@ -24,16 +23,6 @@ def skull(window: MainWindow, qtbot) -> MainWindow:
     qtbot.waitUntil(lambda: window.toolbox.bench.watch.current, timeout=20_000)
     next_frame(window)
     return window
-
-
-def pixel(editor: MainWindow, place: np.ndarray) -> QPoint:
-    """Return where on the canvas a place of the head is seen."""
-    renderer, canvas = editor.viewport.scene.renderer, editor.viewport.canvas
-    renderer.SetWorldPoint(*place, 1.0)
-    renderer.WorldToDisplay()
-    x, y, _ = renderer.GetDisplayPoint()
-    scale = canvas.devicePixelRatioF()
-    return QPoint(round(x / scale), round(canvas.height() - 1 - y / scale))
 
 
 def handle(editor: MainWindow, axis: int) -> QPoint:

@@ -14,8 +14,8 @@ from app.document import Document
 from facemodel.sameness import same
 from facemodel.skull.depths import whole
 from tests.ui.hands import move
-from tests.ui.skull.conftest import click, pixel
-from tests.ui.window.seen import differs, next_frame, picture
+from tests.ui.skull.conftest import click
+from tests.ui.window.seen import differs, next_frame, picture, pixel
 from ui.window.main_window import MainWindow
 
 NAMES = ("nasion", "pogonion", "zygion_L", "gonion_L", "menton", "rhinion")

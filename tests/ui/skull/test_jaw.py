@@ -10,8 +10,8 @@ from facemodel.sameness import same
 from facemodel.skull.jaw_region import whole_skull
 from tests.ui.hands import drag as drag_bar
 from tests.ui.hands import move
-from tests.ui.skull.conftest import click, drag, hold, pixel, tick
-from tests.ui.window.seen import differs, next_frame, picture
+from tests.ui.skull.conftest import click, drag, hold, tick
+from tests.ui.window.seen import differs, next_frame, picture, pixel
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

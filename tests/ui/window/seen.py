@@ -1,6 +1,7 @@
 """What is drawn in a window."""
 
 import numpy as np
+from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 
 from ui.window.main_window import MainWindow
@@ -33,3 +34,13 @@ def next_frame(window: MainWindow) -> None:
 def differs(one: np.ndarray, other: np.ndarray) -> bool:
     """Whether two pictures differ by more than a few stray pixels."""
     return bool((np.abs(one - other).max(axis=-1) > 8).mean() > 0.0003)
+
+
+def pixel(window: MainWindow, place: np.ndarray) -> QPoint:
+    """Return where on the canvas a place (3,) of the head is drawn."""
+    renderer, canvas = window.viewport.scene.renderer, window.viewport.canvas
+    renderer.SetWorldPoint(*place, 1.0)
+    renderer.WorldToDisplay()
+    x, y, _ = renderer.GetDisplayPoint()
+    scale = canvas.devicePixelRatioF()
+    return QPoint(round(x / scale), round(canvas.height() - 1 - y / scale))
