@@ -21,11 +21,12 @@ from facemodel.solution import Progress, silent
 
 @dataclass(frozen=True, eq=False)
 class Posed:
-    """An expression of a solved project."""
+    """An expression of a solved project, as it is drawn or as the pure linear sum."""
 
     project: Project
     basis: Basis
     expression: Expression
+    linear: bool = False
 
 
 class SuperpositionCheck:
@@ -100,7 +101,7 @@ class SuperpositionCheck:
     def _follow_view(self, now: ViewState, before: ViewState) -> None:
         if self.found is not None or self.running:
             one, other = seen(self._document, now), seen(self._document, before)
-            if one is not other and one != other:
+            if now.linear != before.linear or (one is not other and one != other):
                 self._forget()
 
     def _forget(self, *_what: object) -> None:
@@ -125,7 +126,7 @@ def posed(document: Document, state: ViewState) -> Posed:
     expression = seen(document, state)
     if not any(expression.values()):
         raise FaceError("The face is at rest, where nothing is summed; move some sliders first.")
-    return Posed(document.project, document.solved.basis, expression)
+    return Posed(document.project, document.solved.basis, expression, state.linear)
 
 
 def check_superposition(asked: Posed, progress: Progress = silent) -> Comparison:
@@ -137,4 +138,4 @@ def check_superposition(asked: Posed, progress: Progress = silent) -> Comparison
         As `facemodel.comparison.in_full` does.
     """
     whole = in_full(asked.project, asked.expression, progress)
-    return compared(asked.project, asked.expression, asked.basis, whole)
+    return compared(asked.project, asked.expression, asked.basis, whole, linear=asked.linear)

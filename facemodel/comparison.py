@@ -85,14 +85,26 @@ def in_full(project: Project, expression: Expression, progress: Progress = silen
     return sampled_basis(whole, assembled, fields)
 
 
-def compared(project: Project, expression: Expression, basis: Basis, whole: Basis) -> Comparison:
-    """Compare the superposed fields of a basis, before contact, with the solution of the summed loads.
+def compared(
+    project: Project,
+    expression: Expression,
+    basis: Basis,
+    whole: Basis,
+    *,
+    linear: bool = False,
+    contact: bool = True,
+) -> Comparison:
+    """Compare the superposed fields of a basis, as they are drawn, with the solution of the summed loads.
+
+    Where lids and lips meet something they are drawn elsewhere than the loads alone would take them.
 
     Parameters
     ----------
     whole : as `in_full` gives it, sampled on the same display surface
+    linear : compare the pure linear sum of the fields
+    contact : keep lids and lips from going through what they meet, unless it is linear
     """
-    superposed = Superposition(project.face, basis, contact=False)
+    superposed = Superposition(project.face, basis, linear=linear, contact=contact)
     superposed.pose(expression)
     full = Superposition(project.face, whole, contact=False)
     full.pose({str(WHOLE): 1.0})

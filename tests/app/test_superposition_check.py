@@ -45,6 +45,22 @@ def test_the_skin_follows_the_arc_of_the_jaw(solved: Document) -> None:
     assert comparison.rms <= comparison.largest < 1e-4
 
 
+def test_the_pure_linear_sum_leaves_the_arc_of_the_jaw(solved: Document) -> None:
+    solved.set_weights({"26": 0.5})
+    view = View()
+    check = SuperpositionCheck(solved, view)
+    view.change(linear=True)
+    check.begin()
+    assert check.found is not None
+    assert check.found.largest > 0.01
+    assert solved.solution is not None
+    worst = solved.solution.basis.display.points[int(np.argmax(check.found.apart))]
+    assert worst[1] < 0
+    view.change(linear=False)
+    assert check.found is None
+    check.job.close()
+
+
 def test_a_face_at_rest_has_nothing_to_check(solved: Document) -> None:
     with pytest.raises(FaceError, match="rest"):
         posed(solved, ViewState())

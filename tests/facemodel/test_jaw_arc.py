@@ -17,7 +17,7 @@ WIDE = 40.0
 
 
 def against_full(project: Project, basis: Basis, weights: dict[str, float]) -> Comparison:
-    return compared(project, weights, basis, in_full(project, weights))
+    return compared(project, weights, basis, in_full(project, weights), contact=False)
 
 
 @pytest.mark.parametrize("weights", [{"27": 0.5}, {"26": 0.8, "27": 0.6, "12L": 0.7}])
