@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from facemodel.animation.channels import channel_of
@@ -87,6 +87,7 @@ def test_scaling_there_and_back_changes_nothing(case: tuple[Curve, list[int]], t
 
 
 @given(curves(2, overshoot=st.just(True)), st.sampled_from(["step", "linear", "smooth", "bezier"]))
+@example(curve_through([0.0, 1 / 60], [0.0, 1.0]), "smooth")
 def test_a_curve_that_becomes_bezier_keeps_its_course(curve: Curve, shape: str) -> None:
     plain = keys.with_shape(curve_through(curve.times, curve.values), range(len(curve)), shape)  # type: ignore[arg-type]
     bent = keys.with_shape(replace(plain, overshoot=True), range(len(curve)), "bezier")

@@ -169,9 +169,10 @@ def with_shape(curve: Curve, places: Places, shape: Shape) -> Curve:
 
 def _end_slopes(curve: Curve, begin: float, end: float) -> tuple[float, float]:
     """Slopes of a curve just behind one key and just before the next."""
-    step = min(SLOPE_STEP, (end - begin) / 4)
-    at = values_of(curve, np.array([begin, begin + step, end - step, end]))
-    return float(at[1] - at[0]) / step, float(at[3] - at[2]) / step
+    step = min(SLOPE_STEP, (end - begin) / 8)
+    at = values_of(curve, np.array([begin, begin + step, begin + 2 * step, end - 2 * step, end - step, end]))
+    # One-sided differences of second order: between two frames a curve bends much within a step.
+    return float(4 * at[1] - at[2] - 3 * at[0]) / (2 * step), float(3 * at[5] - 4 * at[4] + at[3]) / (2 * step)
 
 
 def with_handles(curve: Curve, place: int, arrives: Handle | None = None, leaves: Handle | None = None) -> Curve:
