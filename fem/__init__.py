@@ -29,6 +29,7 @@ from fem.supports import Support, Supports
 from fem.surface import ChartedSurface, edge_topology
 from fem.system import Progress, SurfaceSystem
 from fem.tensors import ElementTensors, Material, element_tensors, uniform_material
+from fem.volume import VolumeLayer
 
 __all__ = [
     "HCT9",
@@ -55,6 +56,7 @@ __all__ = [
     "Supports",
     "SurfaceSystem",
     "TriangleRule",
+    "VolumeLayer",
     "corner_load_operator",
     "edge_topology",
     "element_tensors",

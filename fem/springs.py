@@ -13,6 +13,7 @@ import numpy as np
 from scipy.sparse import bsr_array, csc_array
 
 from fem.assembly import Assembler, batches
+from fem.blocks import block_matrix
 from fem.errors import FemError
 from fem.loads import load_operator
 from fem.types import FloatArray, IntArray
@@ -24,6 +25,8 @@ BLOCK_TOLERANCE = 1e-10
 # The six entries of a symmetric 3 x 3 block.
 _ROWS = np.array([0, 1, 2, 0, 1, 2])
 _COLUMNS = np.array([0, 1, 2, 1, 2, 0])
+# Which of them stands at each row and column.
+_PLACES = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,7 +152,8 @@ class Foundation:
             own = entries[assembler.surface.triangles[batch]]
             masses = _corner_masses(assembler, np.arange(batch.start, batch.stop))
             matrices[:, batch] = np.einsum("mce,mcij->emij", own, masses, optimize=True)
-        return _block_matrix([assembler.matrix_of(entry) for entry in matrices])
+        scalars = [assembler.matrix_of(entry) for entry in matrices]
+        return block_matrix([[scalars[_PLACES[row][column]] for column in range(3)] for row in range(3)])
 
     def anchor_loads(self, assembler: Assembler, forces: FloatArray) -> FloatArray:
         """Return (n_dofs, k) loads of `forces` (N, k) per area at the vertices, linear in every triangle."""
@@ -166,17 +170,6 @@ def _corner_masses(assembler: Assembler, elements: IntArray) -> FloatArray:
     corners = [(transposed * (weights * quadrature.barycentric[:, corner])[:, None]) @ shapes for corner in range(3)]
     masses = np.stack(corners, axis=1)
     return np.asarray(0.5 * (masses + np.swapaxes(masses, 2, 3)))
-
-
-def _block_matrix(entries: list[csc_array]) -> csc_array:
-    """Join six scalar matrices of one symmetric pattern into one of 3 x 3 blocks."""
-    pattern = entries[0]
-    blocks = np.empty((len(pattern.data), 3, 3))
-    for matrix, row, column in zip(entries, _ROWS, _COLUMNS, strict=True):
-        blocks[:, row, column] = blocks[:, column, row] = matrix.data
-    # The matrix is symmetric, so its compressed columns serve as compressed rows.
-    size = 3 * pattern.shape[0]
-    return csc_array(bsr_array((blocks, pattern.indices, pattern.indptr), shape=(size, size)).tocsc())
 
 
 def _check_blocks(blocks: FloatArray) -> None:
