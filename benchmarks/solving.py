@@ -21,8 +21,8 @@ from facemodel.system import (
     face_surfaces,
     face_tissue,
     held_system,
-    spring_coupling,
     stiffened,
+    tissue_coupling,
 )
 from fem import SurfaceSystem
 from fem.types import FloatArray
@@ -86,7 +86,7 @@ class _Solving:
         self.assemble_stiffness()
         tissue = face_tissue(self._face, region.vertices)
         supports = face_supports(self._face, region.vertices)
-        self._coupling: csc_array = spring_coupling(tissue.blocks, region.assembler)
+        self._coupling: csc_array = tissue_coupling(tissue, region.assembler)
         self._supports = supports
         self.system: SurfaceSystem = held_system(self._surfaces, supports, self._stiffened.stiffness, self._coupling)
 

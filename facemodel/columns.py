@@ -11,14 +11,16 @@ import numpy as np
 from facemodel.displaced import MEMBRANE, displaced_columns, displaces
 from facemodel.face import Face
 from facemodel.jaw.lips import lead_lips
-from facemodel.jaw.modes import JawMode
+from facemodel.jaw.modes import JawMode, mode_motion
 from facemodel.loads import bone_forces, jaw_forces
+from facemodel.mesh import Mesh
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import muscle_action
 from facemodel.project import Project
 from facemodel.sameness import Kept, same
 from facemodel.sources import Source, acting
 from facemodel.system import HeldFace
+from facemodel.volume import bone_volume
 from fem import SmoothInterpolation
 from fem.types import FloatArray
 
@@ -36,8 +38,9 @@ class Column:
 
     Attributes
     ----------
-    action : (n, 3) force per area at the vertices of the region, N/mm^2; of a muscle that displaces, (N, 3)
-        displacement of the skin's vertices, millimetres
+    action : (n, 3) force per area at the vertices of the region, N/mm^2, and for moving bone in a fourth column the
+        volume per area that it puts under the skin, millimetres; of a muscle that displaces, (N, 3) displacement of
+        the skin's vertices, millimetres
     coefficients : (n_dofs, 3) of the displacement of the region
     """
 
@@ -91,7 +94,7 @@ class Columns:
         told(0, total)
         for start in range(0, len(loading), CHUNK):
             chunk = loading[start : start + CHUNK]
-            loads = held.consistent_loads(np.array([acting_now[s] for s in chunk]))
+            loads = held.consistent_loads([acting_now[s] for s in chunk])
             self._keep(chunk, acting_now, held.system.solve(loads))
             told(self.made, total)
         if shifting:
@@ -135,13 +138,23 @@ def jaw_columns(modes: Sequence[JawMode], face: Face, held: HeldFace) -> dict[So
     """What whole modes of the jaw do to the skin: the pull of the tissue, and the forces that lead the lips along."""
     if not modes:
         return {}
-    tissue = held.tissue
-    pull = np.array([jaw_forces(face, mode, tissue.springs, tissue.anchors, tissue.jawbone) for mode in modes])
-    led = lead_lips(face, held, modes, pull)
+    led = lead_lips(face, held, modes, [jaw_action(face, mode, held) for mode in modes])
     return {
-        mode: Column(led.forces[number], np.ascontiguousarray(led.coefficients[..., number]))
+        mode: Column(led.actions[number], np.ascontiguousarray(led.coefficients[..., number]))
         for number, mode in enumerate(modes)
     }
+
+
+def jaw_action(face: Face, mode: JawMode, held: HeldFace) -> FloatArray:
+    """How a mode of the jaw acts on the skin (n, 3 or 4): the pull of the springs, and the volume that bone brings."""
+    tissue, region = held.tissue, held.surfaces.region
+    pull = jaw_forces(face, mode, tissue.springs, tissue.anchors, tissue.jawbone)
+    if not tissue.keeps_volume:
+        return pull
+    anchors, share = face.skull.anchors[region.vertices], face.skull.jawbone[region.vertices]
+    skin = Mesh(region.assembler.surface.positions, region.assembler.surface.triangles)
+    moved = share[:, None] * mode_motion(face.skull.jaw, mode, anchors)
+    return np.column_stack([pull, bone_volume(skin, tissue.volume.thickness, moved)])
 
 
 def actions_of(

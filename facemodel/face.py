@@ -132,6 +132,9 @@ class Layers:
     thickness : (N,) of the tissue between skin and bone, millimetres; 0 where nobody painted it and it is as thick as
         the bone is deep.  Thicker tissue of the same stuff is the softer spring; how thick the skin itself is,
         stretching and bending tell
+    sliding : (N,) how many times softer the tissue is along the surface than along its springs, since skin slides over
+        bone
+    volume : (N,) stiffness of the tissue against a change of its volume, N/mm^3; 0 where it may be squeezed freely
     supports : (N,) int, see `fem.Support`
     """
 
@@ -140,6 +143,8 @@ class Layers:
     bending: FloatArray
     stiffness: FloatArray
     thickness: FloatArray
+    sliding: FloatArray
+    volume: FloatArray
     supports: IntArray
 
 

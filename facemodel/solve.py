@@ -21,8 +21,8 @@ from facemodel.system import (
     face_surfaces,
     face_tissue,
     held_system,
-    spring_coupling,
     stiffened,
+    tissue_coupling,
 )
 from fem import SurfaceSystem
 from fem.types import FloatArray
@@ -74,18 +74,18 @@ def face_system(project: Project) -> FaceSystem:
     assembler, vertices = region.assembler, region.vertices
     tissue, supports = face_tissue(face, vertices), face_supports(face, vertices)
     stiffness = stiffened(None, assembler, face_material(face, vertices)).stiffness
-    system = held_system(surfaces, supports, stiffness, spring_coupling(tissue.blocks, assembler))
+    system = held_system(surfaces, supports, stiffness, tissue_coupling(tissue, assembler))
     held = HeldFace(surfaces, tissue, supports, system)
     made_of = recipes(project)
     muscles = {muscle.key: muscle for muscle in project.muscles}
     sources = dict.fromkeys(source for recipe in made_of.values() for source, _ in recipe)
     known = actions_of(tuple(sources), muscles, face, held)
-    forces = np.zeros((len(made_of), len(vertices), 3))
-    for total, recipe in zip(forces, made_of.values(), strict=True):
+    acting = np.zeros((len(made_of), len(vertices), 4))
+    for total, recipe in zip(acting, made_of.values(), strict=True):
         for source, weight in recipe:
             if not displacing(source, muscles):
-                total += weight * known[source]
-    return FaceSystem(surfaces.head, region, system, tuple(made_of), held.consistent_loads(forces))
+                total[:, : known[source].shape[1]] += weight * known[source]
+    return FaceSystem(surfaces.head, region, system, tuple(made_of), held.consistent_loads(list(acting)))
 
 
 def sampled_basis(project: Project, assembled: FaceSystem, fields: FloatArray) -> Basis:

@@ -33,8 +33,8 @@ from facemodel.system import (
     face_tissue,
     factorise,
     held_system,
-    spring_coupling,
     stiffened,
+    tissue_coupling,
 )
 from fem import Assembler, FemError, SurfaceSystem
 from fem.types import BoolArray, Float32Array, FloatArray, IntArray
@@ -149,7 +149,7 @@ class FaceSolver:
         material, supports = face_material(face, vertices), face_supports(face, vertices)
         tissue = self._tissue_of(face, assembler, vertices)
         stiff = self._stiffened = stiffened(self._stiffened, assembler, material)
-        coupling = self._coupling.get((assembler, tissue.blocks), lambda: spring_coupling(tissue.blocks, assembler))
+        coupling = self._coupling.get((assembler, *tissue.stiff), lambda: tissue_coupling(tissue, assembler))
         clock.lap("assembly")
         progress("Factorising the stiffness", 0.10)
 
@@ -159,12 +159,13 @@ class FaceSolver:
             return factorise(held_system(surfaces, supports, stiff.stiffness, coupling), surfaces)
 
         self.work = replace(self.work, triangles=len(stiff.touched))
-        system = self._system.get((assembler, material, tissue.blocks, supports), factorised)
+        system = self._system.get((assembler, material, *tissue.stiff, supports), factorised)
         clock.lap("factorisation")
         return HeldFace(surfaces, tissue, supports, system)
 
     def _tissue_of(self, face: Face, assembler: Assembler, vertices: IntArray) -> Tissue:
-        skull, painted = face.skull, (face.layers.stiffness, face.layers.thickness)
+        skull, layers = face.skull, face.layers
+        painted = (layers.stiffness, layers.thickness, layers.sliding, layers.volume)
         made_from = (assembler, *painted, skull.anchors, skull.jawbone, skull.cranium, skull.mandible)
         return self._tissue.get(made_from, lambda: face_tissue(face, vertices))
 

@@ -49,6 +49,8 @@ def _common(project: Project) -> tuple[Any, ...]:
         face_supports(face, vertices),
         face.layers.stiffness[vertices],
         face.layers.thickness[vertices],
+        face.layers.sliding[vertices],
+        face.layers.volume[vertices],
         skull.anchors,
     )
     return project.settings, skin, held, carried

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from scipy.sparse import csc_array, csr_array
@@ -11,6 +13,7 @@ from facemodel.errors import FaceError
 from facemodel.face import Face
 from facemodel.sampling import HeadSurface, SolvedRegion, head_surface, solved_region
 from facemodel.tissue import tissue_springs
+from facemodel.volume import volume_layer
 from fem import (
     Assembler,
     Element,
@@ -22,6 +25,7 @@ from fem import (
     Support,
     Supports,
     SurfaceSystem,
+    VolumeLayer,
     element_tensors,
     load_operator,
 )
@@ -54,12 +58,24 @@ class Tissue:
     anchors : (M, 3) the skull end of every spring, millimetres
     jawbone : (M,) the share of that end which belongs to the mandible
     blocks : (n, 3, 3) their stiffness per area at the vertices, N/mm^3
+    volume : the tissue as a layer that keeps its volume
     """
 
     springs: SpringSet
     anchors: FloatArray
     jawbone: FloatArray
     blocks: FloatArray
+    volume: VolumeLayer
+
+    @property
+    def keeps_volume(self) -> bool:
+        """Whether any of it resists a change of its volume."""
+        return bool(self.volume.stiffness.any())
+
+    @property
+    def stiff(self) -> tuple[FloatArray, ...]:
+        """All that its stiffness depends on."""
+        return (self.blocks, self.volume.stiffness, *((self.volume.thickness,) if self.keeps_volume else ()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,10 +111,25 @@ class HeldFace:
     supports: Supports
     system: SurfaceSystem
 
-    def consistent_loads(self, forces: FloatArray) -> FloatArray:
-        """Loads (n_dofs, 3, M) of forces per area (M, n, 3) at the vertices of the region, N/mm^2."""
+    def consistent_loads(self, actions: Sequence[FloatArray]) -> FloatArray:
+        """Loads (n_dofs, 3, M) of M actions at the vertices of the region.
+
+        Parameters
+        ----------
+        actions : force per area (n, 3), N/mm^2; a fourth column is volume per area that is put under the skin,
+            millimetres, and acts where the tissue keeps its volume
+        """
+        forces = np.array([action[:, :3] for action in actions])
         flat = forces.transpose(1, 2, 0).reshape(forces.shape[1], -1)
-        return np.asarray(self.surfaces.loads @ flat).reshape(-1, 3, len(forces))
+        loads = np.asarray(self.surfaces.loads @ flat).reshape(-1, 3, len(forces))
+        for number, action in enumerate(actions):
+            if action.shape[1] > 3 and self.tissue.keeps_volume:
+                loads[:, :, number] += (self._volume_loads @ action[:, 3]).reshape(-1, 3)
+        return loads
+
+    @cached_property
+    def _volume_loads(self) -> csr_array:
+        return self.tissue.volume.load_operator(self.surfaces.region.assembler)
 
 
 def face_surfaces(face: Face, element: Element) -> Surfaces:
@@ -122,7 +153,7 @@ def face_material(face: Face, vertices: IntArray) -> Material:
 def face_tissue(face: Face, vertices: IntArray) -> Tissue:
     """The springs under some skin vertices."""
     springs, anchors, jawbone = tissue_springs(face, vertices)
-    return Tissue(springs, anchors, jawbone, springs.blocks(len(vertices)))
+    return Tissue(springs, anchors, jawbone, springs.blocks(len(vertices)), volume_layer(face, vertices))
 
 
 def face_supports(face: Face, vertices: IntArray) -> Supports:
@@ -151,9 +182,10 @@ def stiffened(kept: Stiffened | None, assembler: Assembler, material: Material) 
     return Stiffened(assembler, material, assembler.reassemble(kept.stiffness, tensors, touched), touched)
 
 
-def spring_coupling(blocks: FloatArray, assembler: Assembler) -> csc_array:
-    """Springs of (n, 3, 3) stiffness per area at the vertices as a matrix (3 n_dofs, 3 n_dofs)."""
-    return Foundation(blocks).coupling(assembler)
+def tissue_coupling(tissue: Tissue, assembler: Assembler) -> csc_array:
+    """The springs, and the layer that keeps its volume, as a matrix (3 n_dofs, 3 n_dofs)."""
+    springs = Foundation(tissue.blocks).coupling(assembler)
+    return csc_array(springs + tissue.volume.coupling(assembler)) if tissue.keeps_volume else springs
 
 
 def held_system(surfaces: Surfaces, supports: Supports, stiffness: Stiffness, coupling: csc_array) -> SurfaceSystem:

@@ -9,9 +9,9 @@ from facemodel.skull.spring_checks import spring_ends, spring_faults
 from fem import SpringSet
 from fem.types import FloatArray, IntArray
 
-SLIDING_RATIO = 12.0
-"""How much stiffer the tissue is along the normal than along the surface: skin slides over bone, and 70 to 95 %
-of the measured motion of scanned faces is along the surface."""
+SLIDING = 12.0
+"""How much stiffer tissue that nobody painted is along the normal than along the surface: skin slides over bone, and
+70 to 95 % of the measured motion of scanned faces is along the surface."""
 
 LEAST_SLANT = 0.02
 """Least tangential share of the struts that is scaled up; flatter struts carry nothing along the surface."""
@@ -20,6 +20,12 @@ LEAST_SLANT = 0.02
 def bone_depth(face: Face) -> FloatArray:
     """How far (N,) the bone lies below every vertex of the skin along its main spring, millimetres."""
     return np.asarray(np.linalg.norm(face.skull.anchors - face.skin.positions, axis=1))
+
+
+def tissue_thickness(face: Face) -> FloatArray:
+    """How thick (N,) the tissue is, millimetres: as painted, or as deep as the bone lies."""
+    painted = face.layers.thickness > 0
+    return np.where(painted, face.layers.thickness, bone_depth(face))
 
 
 def tissue_stiffness(face: Face) -> FloatArray:
@@ -38,8 +44,8 @@ def tissue_springs(face: Face, vertices: IntArray) -> tuple[SpringSet, FloatArra
     """Main springs and struts of some skin vertices, with stiffness per area of skin.
 
     Every vertex has a main spring to its own point of the skull and struts to its neighbours' points.  The
-    struts are scaled so that the tissue is `SLIDING_RATIO` times softer along the surface than along the
-    main spring, whatever the density of the mesh.  Springs of no length and those that go through bone (see
+    struts are scaled so that the tissue is as many times softer along the surface than along the main spring as its
+    painted sliding says, whatever the density of the mesh.  Springs of no length and those that go through bone (see
     `facemodel.skull.spring_checks`) have no stiffness, and the struts that are left make up for those that are not.
 
     Parameters
@@ -64,7 +70,7 @@ def tissue_springs(face: Face, vertices: IntArray) -> tuple[SpringSet, FloatArra
     struts = directions[len(vertices) :]
     slant = 1 - np.einsum("ij,ij->i", struts, main[strut_from]) ** 2
     tangential = np.bincount(strut_from, slant * kept[len(vertices) :], len(vertices)) / 2
-    scale = 1 / (SLIDING_RATIO * np.maximum(tangential, LEAST_SLANT))
+    scale = 1 / (face.layers.sliding[vertices] * np.maximum(tangential, LEAST_SLANT))
     stiffness = tissue_stiffness(face)[vertices]
     share = np.concatenate([stiffness, (stiffness * scale)[strut_from]])
     return SpringSet(head, directions, share * kept), face.skull.anchors[foot], face.skull.jawbone[foot]

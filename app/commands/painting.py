@@ -10,14 +10,14 @@ import numpy as np
 
 from app.commands.command import Command
 from facemodel.face import Face
-from facemodel.painting.delta import LayerDelta
+from facemodel.painting.delta import LayerDelta, Member
 from facemodel.project import Project
 from fem.types import IntArray
 
 Rows = np.ndarray[Any, np.dtype[Any]]
 """Values of an array, one row per vertex."""
 
-ArrayName = Literal["direction", "stretching", "bending", "stiffness", "thickness", "supports", "anchors", "jawbone"]
+ArrayName = Literal[Member, "anchors", "jawbone"]
 """What is painted: the arrays of `facemodel.face.Layers`, and those of `facemodel.face.Skull` with a row per vertex of
 the skin."""
 

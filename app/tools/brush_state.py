@@ -137,9 +137,10 @@ def usual_value(layer: PaintLayer, mode: Mode) -> float:
         return float(Support.CLAMPED)
     if mode == "scale":
         return STRONGER
+    ordinary = layer.default if layer.typical is None else layer.typical
     if mode == "add":
-        return TURN if layer.kind == "angle" else layer.default / 2
-    return STANDING if layer.kind == "angle" else EMPHASIS * layer.default
+        return TURN if layer.kind == "angle" else ordinary / 2
+    return STANDING if layer.kind == "angle" else EMPHASIS * ordinary
 
 
 def _taken_away(mode: Mode, value: float) -> tuple[Mode, float]:

@@ -14,15 +14,25 @@ from facemodel.io.members import Members
 from facemodel.io.records import point_json
 from facemodel.io.schema import FaceRecord, PartRecord
 from facemodel.mesh import Mesh
+from facemodel.tissue import SLIDING
 from fem.supports import Support
+from fem.types import FloatArray
 
 LARGEST_COORDINATE = 1e5
 """Millimetres; a hundred metres is no head."""
 
 LARGEST_STIFFNESS = 1e9
 
-THICKNESS = "face/layers/thickness"
-"""Only in files of a face on which somebody painted it; files from before it could be painted have none."""
+SMALLEST_SLIDING = 1e-3
+"""Tissue that is so much stiffer along the surface is no tissue."""
+
+LATER: Mapping[str, tuple[float, float, float]] = {
+    "thickness": (0.0, 0.0, LARGEST_COORDINATE),
+    "sliding": (SLIDING, SMALLEST_SLIDING, LARGEST_STIFFNESS),
+    "volume": (0.0, 0.0, LARGEST_STIFFNESS),
+}
+"""Layers with what they are where nobody painted them, and their range.  They are only in files of a face on which
+somebody did; files from before they could be painted have none."""
 
 FEET = "face/skull/feet"
 """Only in files of a face whose skull was moved; files from before it could be moved have none."""
@@ -50,8 +60,9 @@ def face_arrays(face: Face) -> dict[str, NDArray[Any]]:
         "face/layers/stiffness": layers.stiffness,
         "face/layers/supports": layers.supports.astype(np.int8),
     }
-    if layers.thickness.any():
-        arrays[THICKNESS] = layers.thickness
+    for name, (unpainted, *_) in LATER.items():
+        if (getattr(layers, name) != unpainted).any():
+            arrays[f"face/layers/{name}"] = getattr(layers, name)
     if len(skull.placement.feet):
         arrays[FEET] = skull.placement.feet
     for number, part in enumerate(face.parts):
@@ -200,8 +211,12 @@ def _layers(members: Members, count: int) -> Layers:
         stretching=members.floats("face/layers/stretching", (count, 2), 0, most),
         bending=members.floats("face/layers/bending", (count, 3), 0, most),
         stiffness=members.floats("face/layers/stiffness", (count,), 0, most),
-        thickness=members.floats(THICKNESS, (count,), 0, LARGEST_COORDINATE)
-        if THICKNESS in members
-        else np.zeros(count),
         supports=members.indices("face/layers/supports", (count,), len(Support)),
+        **{name: _later(members, name, count) for name in LATER},
     )
+
+
+def _later(members: Members, name: str, count: int) -> FloatArray:
+    unpainted, low, high = LATER[name]
+    member = f"face/layers/{name}"
+    return members.floats(member, (count,), low, high) if member in members else np.full(count, unpainted)

@@ -73,15 +73,15 @@ class LedLips:
 
     Attributes
     ----------
-    forces : (M, n, 3) force per area on the region's vertices, N/mm^2
+    actions : M of (n, 3) force per area on the region's vertices, N/mm^2, and the rest of what was given
     coefficients : (n_dofs, 3, M) of the displacement of the region
     """
 
-    forces: FloatArray
+    actions: tuple[FloatArray, ...]
     coefficients: FloatArray
 
 
-def lead_lips(face: Face, held: HeldFace, modes: Sequence[JawMode], pull: FloatArray) -> LedLips:
+def lead_lips(face: Face, held: HeldFace, modes: Sequence[JawMode], acting: Sequence[FloatArray]) -> LedLips:
     """Solve for modes of the jaw, with forces on the lips that lead them along.
 
     Parameters
@@ -89,22 +89,29 @@ def lead_lips(face: Face, held: HeldFace, modes: Sequence[JawMode], pull: FloatA
     face : whose jaw moves; without the slit of a mouth its skin follows the tissue alone
     held : its factorised system
     modes : M of them
-    pull : (M, n, 3) force per area with which the tissue alone pulls in each mode, N/mm^2
+    acting : M of (n, 3) force per area with which the tissue alone pulls in each mode, N/mm^2; a fourth column is
+        the volume per area that bone brings under the skin, millimetres
     """
     mouth = mouth_of(face)
     vertices = held.surfaces.region.vertices
     if mouth is None or not np.isin(np.concatenate([mouth.upper, mouth.lower]), vertices).all():
-        return LedLips(pull, held.system.solve(held.consistent_loads(pull)))
+        return LedLips(tuple(acting), held.system.solve(held.consistent_loads(acting)))
     stations, places = _stations(face, mouth, vertices), face.skin.positions[vertices]
     count, values = len(stations.patches), held.surfaces.region.assembler.dofs.value_dofs
-    solved = held.system.solve(held.consistent_loads(np.concatenate([stations.patches, pull])))
-    reached = np.einsum("sn,nck->sck", stations.margins, solved[values]).reshape(-1, count + len(pull))[stations.led]
+    solved = held.system.solve(held.consistent_loads([*stations.patches, *acting]))
+    reached = np.einsum("sn,nck->sck", stations.margins, solved[values]).reshape(-1, count + len(acting))[stations.led]
     wanted = np.stack([_wanted(stations, mode_motion(face.skull.jaw, mode, places)) for mode in modes], axis=-1)
     amounts = np.linalg.lstsq(reached[:, :count], wanted[stations.led] - reached[:, count:], rcond=WEAKEST)[0]
+    led = np.einsum("km,knc->mnc", amounts, stations.patches)
     return LedLips(
-        pull + np.einsum("km,knc->mnc", amounts, stations.patches),
+        tuple(_pushed(own, push) for own, push in zip(acting, led, strict=True)),
         solved[..., count:] + solved[..., :count] @ amounts,
     )
+
+
+def _pushed(action: FloatArray, push: FloatArray) -> FloatArray:
+    """An action with further forces (n, 3)."""
+    return np.column_stack([action[:, :3] + push, action[:, 3:]])
 
 
 def _wanted(stations: _Stations, moved: FloatArray) -> FloatArray:

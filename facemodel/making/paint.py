@@ -10,6 +10,7 @@ import numpy as np
 
 from facemodel.face import Layers
 from facemodel.mesh import Mesh
+from facemodel.tissue import SLIDING
 from fem import Support
 from fem.types import BoolArray, FloatArray, IntArray
 
@@ -83,5 +84,7 @@ def paint(skin: Mesh, solved: BoolArray, landmarks: Mapping[str, int]) -> Layers
         bending=np.full((count, 3), BENDING),
         stiffness=STIFFNESS * np.exp(log_factor),
         thickness=np.zeros(count),
+        sliding=np.full(count, SLIDING),
+        volume=np.zeros(count),
         supports=supports,
     )

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from facemodel.face import Layers
 from fem.types import IntArray
 
-Member = Literal["direction", "stretching", "bending", "stiffness", "thickness", "supports"]
+Member = Literal["direction", "stretching", "bending", "stiffness", "thickness", "sliding", "volume", "supports"]
 """An array of `facemodel.face.Layers`."""
 
 

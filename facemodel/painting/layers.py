@@ -13,7 +13,7 @@ from facemodel.face import Face
 from facemodel.painting.delta import LayerDelta, Member, layer_delta
 from facemodel.painting.frames import angle_of, direction_at, doubled, line_at, tangent_frames, wrapped
 from facemodel.painting.geodesic import SurfacePoint
-from facemodel.tissue import bone_depth
+from facemodel.tissue import SLIDING, bone_depth
 from fem import Support
 from fem.types import FloatArray, IntArray
 
@@ -35,6 +35,7 @@ class PaintLayer:
     reason : why the range is as it is
     member, column : where its values are kept in `facemodel.face.Layers`
     automatic : values (N,) that hold where nobody painted, which is kept as 0; without it the default does
+    typical : an ordinary value where the default is nothing at all; none where the default is one
     """
 
     key: str
@@ -48,6 +49,7 @@ class PaintLayer:
     member: Member
     column: int | None = None
     automatic: Callable[[Face], FloatArray] | None = None
+    typical: float | None = None
 
     def values(self, face: Face) -> FloatArray:
         """Its values (N,), in its unit; an array of their own."""
@@ -102,6 +104,14 @@ DEEP_TISSUE = (
     "at most a full cheek; tissue of no thickness would be infinitely stiff. Where nobody paints, it is as thick as "
     "the bone is deep. How thick the skin itself is, stretching and bending tell"
 )
+SLIDING_TISSUE = (
+    "from tissue that is as stiff along the surface as across it to skin that slides over bone all but freely; 70 to "
+    "95 % of the motion of scanned faces is along the surface"
+)
+FULL_TISSUE = (
+    "where it is ten times the tissue stiffness and more, what is squeezed bulges and its volume stays; more of it "
+    "only costs accuracy"
+)
 FIRM_TISSUE = "at most cartilage of 1 MPa over a centimetre; below zero it would push off the bone"
 
 PAINT_LAYERS: tuple[PaintLayer, ...] = (
@@ -119,6 +129,8 @@ PAINT_LAYERS: tuple[PaintLayer, ...] = (
     PaintLayer(
         "thickness", "Tissue thickness", "mm", "amount", 0.2, 60, 8, DEEP_TISSUE, "thickness", automatic=bone_depth
     ),
+    PaintLayer("sliding", "Sliding over bone", "", "amount", 1, 200, SLIDING, SLIDING_TISSUE, "sliding"),
+    PaintLayer("volume", "Volume stiffness", "N/mm³", "amount", 0, 0.5, 0, FULL_TISSUE, "volume", typical=0.02),
     PaintLayer(
         "supports", "Supports", "", "choice", 0, len(Support) - 1, 0, "each number is one kind of support", "supports"
     ),

@@ -57,6 +57,8 @@ def small_face(title: str = "Patch") -> Face:
         bending=np.tile([0.5, 0.5, 0.5], (count, 1)),
         stiffness=np.full(count, 0.002),
         thickness=np.zeros(count),
+        sliding=np.full(count, 12.0),
+        volume=np.zeros(count),
         supports=np.where(rim, Support.CLAMPED, Support.FREE).astype(np.int64),
     )
     skull = Skull(

@@ -31,6 +31,8 @@ def layers_of(count: int) -> Layers:
         bending=rng.uniform(0.1, 2.0, (count, 3)),
         stiffness=rng.uniform(0.001, 0.02, count),
         thickness=rng.uniform(2.0, 20.0, count),
+        sliding=rng.uniform(5.0, 50.0, count),
+        volume=rng.uniform(0.0, 0.3, count),
         supports=rng.integers(0, len(Support), count),
     )
 
@@ -40,7 +42,8 @@ FACE = face_on(DOME, LAYERS)
 
 
 def test_every_painted_number_of_a_face_is_a_layer() -> None:
-    columns = {"direction": 1, "stretching": 2, "bending": 3, "stiffness": 1, "thickness": 1, "supports": 1}
+    columns = {"direction": 1, "stretching": 2, "bending": 3, "stiffness": 1, "thickness": 1}
+    columns |= {"sliding": 1, "volume": 1, "supports": 1}
     assert set(columns) == {field.name for field in dataclasses.fields(Layers)}
     for member, count in columns.items():
         of_member = [layer for layer in PAINT_LAYERS if layer.member == member]

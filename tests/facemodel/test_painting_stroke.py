@@ -32,6 +32,8 @@ def layers_of(count: int, seed: int = 4) -> Layers:
         bending=rng.uniform(0.1, 2.0, (count, 3)),
         stiffness=rng.uniform(0.001, 0.02, count),
         thickness=rng.uniform(2.0, 20.0, count),
+        sliding=rng.uniform(5.0, 50.0, count),
+        volume=rng.uniform(0.0, 0.3, count),
         supports=rng.integers(0, 2, count),
     )
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from facemodel.face import Face
-from facemodel.tissue import SLIDING_RATIO, tissue_springs
+from facemodel.tissue import SLIDING, tissue_springs
 
 
 def test_sliding_is_softer_than_lifting_by_the_ratio(face: Face) -> None:
@@ -16,9 +16,9 @@ def test_sliding_is_softer_than_lifting_by_the_ratio(face: Face) -> None:
     main /= np.linalg.norm(main, axis=1, keepdims=True)
     along = np.einsum("ni,nij,nj->n", main, blocks, main)
     across = (np.trace(blocks, axis1=1, axis2=2) - along) / 2
-    assert np.median(painted / across) == pytest.approx(SLIDING_RATIO)
+    assert np.median(painted / across) == pytest.approx(SLIDING)
     # Where the neighbours' bone lies straight below, struts carry less along the surface, never more.
-    assert (painted / across).min() > SLIDING_RATIO * (1 - 1e-9)
+    assert (painted / across).min() > SLIDING * (1 - 1e-9)
     assert np.all(along >= painted * (1 - 1e-9))
 
 

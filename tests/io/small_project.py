@@ -81,6 +81,8 @@ def small_face() -> Face:
             bending=np.tile([0.4, 0.4, 0.2], (n, 1)),
             stiffness=np.full(n, 0.001),
             thickness=np.zeros(n),
+            sliding=np.full(n, 12.0),
+            volume=np.zeros(n),
             supports=np.where(rim, Support.CLAMPED, Support.FREE).astype(np.int64),
         ),
         provenance="Made up for the tests. CC0.",

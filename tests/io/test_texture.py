@@ -46,6 +46,8 @@ def face() -> Face:
         bending=1.0 + 0.5 * waves,
         stiffness=0.01 + 0.005 * waves[:, 0],
         thickness=10.0 + 4.0 * waves[:, 1],
+        sliding=20.0 + 10.0 * waves[:, 2],
+        volume=0.05 + 0.04 * waves[:, 0],
         supports=((y // 20).astype(np.int64) % len(Support)).astype(plain.layers.supports.dtype),
     )
     angles = 60 * np.sin(y / 30)
@@ -63,6 +65,8 @@ def bare(face: Face) -> Face:
         bending=np.full((count, 3), 9.0),
         stiffness=np.full(count, 0.09),
         thickness=np.full(count, 39.0),
+        sliding=np.full(count, 150.0),
+        volume=np.full(count, 0.4),
         supports=face.layers.supports * 0,
     )
     return replace(face, layers=empty)
