@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 
 from app.cli import animating, commands
+from app.cli.calibrate import calibrate
 from app.cli.export import export
 from app.cli.parser import parser
 from app.cli.screen import Screen
@@ -43,6 +44,7 @@ def main(arguments: Sequence[str], screen: Screen) -> int:
         "animate": partial(animating.animate, screen=screen),
         "demo": partial(animating.demo, screen=screen),
         "gallery": partial(commands.gallery, screen=screen),
+        "calibrate": calibrate,
         "edit": partial(commands.edit, screen=screen),
     }
     try:

@@ -87,6 +87,15 @@ def of_gallery(made: ArgumentParser) -> None:
     of_basis(made)
 
 
+def of_calibrate(made: ArgumentParser) -> None:
+    """``risorius calibrate``."""
+    made.add_argument(
+        "measured", metavar="MEASURED", type=Path, help="an .npz of measured expressions, or a .risorius project"
+    )
+    made.add_argument("--report-only", action="store_true", help="adjust nothing; measure the anatomy that ships")
+    made.add_argument("-o", "--out", metavar="REPORT.json", type=Path, help="write the figures as JSON, too")
+
+
 def of_edit(made: ArgumentParser) -> None:
     """``risorius edit``."""
     made.add_argument("project", metavar="PROJECT", nargs="?", type=Path, help="a .risorius file to open")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 from app.cli.animation_options import of_animate, of_demo, of_export
-from app.cli.options import of_edit, of_gallery, of_info, of_new, of_project, of_render
+from app.cli.options import of_calibrate, of_edit, of_gallery, of_info, of_new, of_project, of_render
 
 DESCRIPTION = """\
 A desktop editor for facial expression: muscles and skin solved with finite elements, mixed in real time.
@@ -34,6 +34,22 @@ formats:
   .npz   neutral and posed (N, 3), triangles (T, 3), names (M,) and fields (M, N, 3), in millimetres
   .obj   the head with the expression, in millimetres
   .ply   the same as one coloured mesh
+
+"""
+
+MEASURED = """\
+MEASURED.npz holds, for a face of any mesh:
+  neutral (N, 3)       its vertices in millimetres
+  triangles (T, 3)     vertex indices, counter-clockwise seen from outside
+  landmarks68 (68,)    vertices of the 68-point scheme, in its order
+  names (K,)           of the expressions, as ARKit has them: mouthSmile_L, browInnerUp, ...
+  deltas (K, N, 3)     how each of them moves the vertices, in millimetres
+Other arrays are ignored.  The head lent to it is the default one; its muscles are carried over by the landmarks.
+Of a project, the solved fields are compared with the units that an artist sculpted on the default head.
+
+Figures are area-weighted over the whole skin.  Each solved field is scaled by the one factor, not below zero, that
+brings it nearest to the measured one; the cosine needs none.  The direction error is the mean angle between both
+where the skin moves at least half as far as it does anywhere.
 
 """
 

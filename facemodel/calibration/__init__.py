@@ -1,0 +1,1 @@
+"""Compare solved fields with measured expressions, and learn anatomy from them."""
