@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from facemodel.actions import ActionUnit
+from facemodel.actions import ActionUnit, JawMotion
 from facemodel.errors import ProjectError
 from facemodel.io.disk import replacing
 from facemodel.io.readable import readable
@@ -35,8 +35,15 @@ class Atlas:
     def scaled(self, unit: ActionUnit) -> ActionUnit:
         """The action unit with this face's activations."""
         gain = self.gains.get(unit.number, 1.0)
-        jaw = None if unit.jaw is None else replace(unit.jaw, degrees=unit.jaw.degrees * gain)
+        jaw = None if unit.jaw is None else _scaled(unit.jaw, gain)
         return replace(unit, muscles={name: gain * weight for name, weight in unit.muscles.items()}, jaw=jaw)
+
+
+def _scaled(jaw: JawMotion, gain: float) -> JawMotion:
+    """A motion of the jaw that is larger or smaller: of its opening, or of its thrust and shift if it does not open."""
+    if jaw.degrees:
+        return replace(jaw, degrees=jaw.degrees * gain)
+    return replace(jaw, slide=jaw.slide * gain, side=jaw.side * gain)
 
 
 class AtlasDocument(Record):

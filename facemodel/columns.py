@@ -15,11 +15,12 @@ from facemodel.jaw.modes import JawMode, mode_motion
 from facemodel.loads import bone_forces, jaw_forces
 from facemodel.mesh import Mesh
 from facemodel.muscles import Muscle
-from facemodel.muscles.models import muscle_action
+from facemodel.muscles.models import MODELS, muscle_action
 from facemodel.project import Project
 from facemodel.sameness import Kept, same
 from facemodel.sources import Source, acting
 from facemodel.system import HeldFace
+from facemodel.tissue import tissue_stiffness
 from facemodel.volume import bone_volume
 from fem import SmoothInterpolation
 from fem.types import FloatArray
@@ -38,9 +39,9 @@ class Column:
 
     Attributes
     ----------
-    action : (n, 3) force per area at the vertices of the region, N/mm^2, and for moving bone in a fourth column the
-        volume per area that it puts under the skin, millimetres; of a muscle that displaces, (N, 3) displacement of
-        the skin's vertices, millimetres
+    action : (n, 3) force per area at the vertices of the region, N/mm^2, and for moving bone and breath in a fourth
+        column the volume per area that it puts under the skin, millimetres; of a muscle that displaces, (N, 3)
+        displacement of the skin's vertices, millimetres
     coefficients : (n_dofs, 3) of the displacement of the region
     """
 
@@ -131,7 +132,25 @@ def muscle_action_of(muscle: Muscle, face: Face, held: HeldFace) -> FloatArray:
     """What a muscle does to the skin at activation 1, as `Column.action` has it."""
     if displaces(muscle):
         return muscle_action(muscle, face)
-    return bone_forces(muscle, face)[held.surfaces.region.vertices]
+    pull = bone_forces(muscle, face)[held.surfaces.region.vertices]
+    if MODELS[muscle.model].inflates and held.tissue.keeps_volume:
+        return np.column_stack([pull, inflated(face, pull, held)])
+    return pull
+
+
+def inflated(face: Face, pressure: FloatArray, held: HeldFace) -> FloatArray:
+    """Volume per area (n,), millimetres, that a pressure from within brings under skin whose tissue keeps its volume.
+
+    Air moves the far side of the tissue as well, which then has nothing to keep: the volume is that by which the
+    pressure would lift the skin against its springs alone.
+    """
+    vertices = held.surfaces.region.vertices
+    outward = np.einsum("ij,ij->i", pressure, face.skin.normals[vertices])
+    return np.asarray(outward / np.maximum(tissue_stiffness(face)[vertices], SOFTEST))
+
+
+SOFTEST = 1e-6
+"""N/mm^3; tissue that is softer lets no pressure tell how far it lifts the skin."""
 
 
 def jaw_columns(modes: Sequence[JawMode], face: Face, held: HeldFace) -> dict[Source, Column]:

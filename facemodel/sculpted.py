@@ -60,11 +60,19 @@ AU_FROM_SCULPTED: Mapping[str, Mapping[str, float]] = {
     "25": {"mouthLowerDownLeft": 0.6, "mouthLowerDownRight": 0.6},
     "26": {"jawOpen": 0.5},
     "27": {"jawOpen": 1.0},
+    "28": {"mouthRollLower": 1.0, "mouthRollUpper": 1.0},
+    "29": {"jawForward": 1.0},
+    "30": {"jaw": 1.0},
+    "41": {"eyeBlink": 0.35},
+    "42": {"eyeBlink": 0.7, "eyeSquint": 0.3},
     "43": {"eyeBlink": 1.0},
+    "44": {"eyeSquint": 1.0},
+    "45": {"eyeBlink": 1.0},
+    "46": {"eyeBlink": 1.0, "cheekSquint": 0.5},
 }
 """Which sculpted units answer an action unit; paired ones without ``Left`` and ``Right``."""
 
-SPLIT: Mapping[str, str] = {"1": "browInnerUp", "18": "mouthPucker"}
+SPLIT: Mapping[str, str] = {"1": "browInnerUp", "18": "mouthPucker", "34": "cheekPuff"}
 """Action units with sides whose sculpted unit has none; it is split smoothly at the midline."""
 
 LEAST_OPENING = 3.0

@@ -45,7 +45,11 @@ MEASURED.npz holds, for a face of any mesh:
   names (K,)           of the expressions, as ARKit has them: mouthSmile_L, browInnerUp, ...
   deltas (K, N, 3)     how each of them moves the vertices, in millimetres
 Other arrays are ignored.  The head lent to it is the default one; its muscles are carried over by the landmarks.
-Of a project, the solved fields are compared with the units that an artist sculpted on the default head.
+Of a project, the solved fields are compared with the units that an artist sculpted on the default head, and nothing
+is adjusted.
+
+Without --report-only the recipe of the anatomy is adjusted to the measured face: widths, kappa, ends of fibres along
+bone and skin, mixtures of muscles and the stiffness of regions, each within anatomical bounds and none per vertex.
 
 Figures are area-weighted over the whole skin.  Each solved field is scaled by the one factor, not below zero, that
 brings it nearest to the measured one; the cosine needs none.  The direction error is the mean angle between both
@@ -187,6 +191,13 @@ COMMANDS = (
         "draw all action units and emotions on one sheet",
         of_gallery,
         ("smile.risorius sheet.png", "smile.risorius by-hand.png --basis sculpted"),
+    ),
+    Command(
+        "calibrate",
+        "compare the solved fields with measured expressions",
+        of_calibrate,
+        ("measured.npz --report-only", "measured.npz -o report.json", "smile.risorius"),
+        MEASURED,
     ),
     Command("edit", "open the editor", of_edit, ("", "smile.risorius")),
 )

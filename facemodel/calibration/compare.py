@@ -6,10 +6,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from facemodel.actions import field_names
+from facemodel.anatomy.recipe import Anatomy
 from facemodel.basis import Basis
+from facemodel.calibration.adjust import Learned, Trial, goals, learned, with_mixtures
+from facemodel.calibration.forward import Forward, Lender
 from facemodel.calibration.measured import MeasuredFace
 from facemodel.calibration.measured_face import PosedFace, posed_face
-from facemodel.calibration.report import Report, make_report
+from facemodel.calibration.report import Report, make_report, wanted_fields
+from facemodel.errors import FaceError
 from facemodel.face import Face
 from facemodel.laying.fitting import fitted_atlas
 from facemodel.project import Project, Settings
@@ -28,10 +33,12 @@ class Fitted:
     ----------
     posed : the face and its measured fields
     project : its muscles carried over by landmarks, and the action units as they are
+    head : the one that lent them
     """
 
     posed: PosedFace
     project: Project
+    head: Face
 
 
 def carried_over(measured: MeasuredFace, project: Project) -> Fitted:
@@ -45,7 +52,7 @@ def carried_over(measured: MeasuredFace, project: Project) -> Fitted:
     posed = posed_face(measured, project.face)
     muscles = fitted_atlas(project.muscles, project.face, posed.face)
     settings = replace(project.settings, density=1)
-    return Fitted(posed, Project(posed.face, muscles, project.units, (), settings=settings))
+    return Fitted(posed, Project(posed.face, muscles, project.units, (), settings=settings), project.face)
 
 
 def measured_report(source: str, fitted: Fitted, progress: Progress = silent) -> Report:
@@ -60,6 +67,47 @@ def measured_report(source: str, fitted: Fitted, progress: Progress = silent) ->
     face = fitted.posed.face
     measured = dict(zip(fitted.posed.names, fitted.posed.fields, strict=True))
     return make_report(source, measured, vertex_fields(face, basis), face.skin.vertex_areas)
+
+
+@dataclass(frozen=True, eq=False)
+class Adjusted:
+    """What was learned on a measured face, and how near it comes there.
+
+    Attributes
+    ----------
+    learned : the recipe and the mixtures
+    report : of the adjusted anatomy, solved anew
+    """
+
+    learned: Learned
+    report: Report
+
+
+def adjusted(source: str, fitted: Fitted, anatomy: Anatomy, progress: Progress = silent) -> Adjusted:
+    """Turn the knobs of a recipe until a measured face is met as nearly as its bounds allow, and compare again.
+
+    Raises
+    ------
+    FaceError
+        If the face cannot be solved, or no expression is answered by one action unit alone.
+    Cancelled
+        If the progress callback raised it.
+    """
+    posed, units = fitted.posed, fitted.project.units
+    forward = Forward(posed.face, Lender(fitted.head, posed.lent))
+    measured = dict(zip(posed.names, posed.fields, strict=True))
+    wanted, _ = wanted_fields(posed.names, field_names(units))
+    aims = goals(measured, wanted, units)
+    if not aims:
+        raise FaceError(
+            "None of the measured expressions is answered by one action unit alone; there is nothing to learn."
+        )
+    found = learned(Trial(forward, aims, units), anatomy, lambda text, share: progress(text, 0.9 * share))
+    face = forward.painted(found.anatomy)
+    muscles = forward.muscles(found.anatomy)
+    project = replace(fitted.project, face=face, muscles=muscles, units=with_mixtures(units, found.mixtures))
+    final = Fitted(replace(posed, face=face), project, fitted.head)
+    return Adjusted(found, measured_report(source, final, lambda text, share: progress(text, 0.9 + 0.1 * share)))
 
 
 def sculpted_report(source: str, project: Project, progress: Progress = silent) -> Report:

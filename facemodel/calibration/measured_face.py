@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import least_squares
 
+from facemodel.calibration.forward import borrowed, borrowed_supports
 from facemodel.calibration.lending import Lent, largest_piece
 from facemodel.calibration.measured import MeasuredFace
 from facemodel.calibration.points68 import check_unit, places68
 from facemodel.calibration.registration import registered, rigid_pose
 from facemodel.chart import make_chart
 from facemodel.errors import FaceError
-from facemodel.face import Eye, Face, Jaw, Layers, Skull
+from facemodel.face import Eye, Face, Jaw, Skull
 from facemodel.laying.warp import Warp
 from facemodel.mesh import Mesh
-from fem import Support
 from fem.types import BoolArray, FloatArray, IntArray
 
 MARGINS: Mapping[str, tuple[tuple[str, ...], float]] = {
@@ -47,12 +47,14 @@ class PosedFace:
     names : K names of expressions
     fields : (K, N, 3) displacement of the skin, millimetres
     loops : vertices of the boundary loops by name; holes that are no eye, mouth or rim are numbered
+    lent : how its skin borrows from the head that was laid on it
     """
 
     face: Face
     names: tuple[str, ...]
     fields: FloatArray
     loops: dict[str, IntArray]
+    lent: Lent
 
 
 def posed_face(measured: MeasuredFace, head: Face) -> PosedFace:
@@ -77,8 +79,9 @@ def posed_face(measured: MeasuredFace, head: Face) -> PosedFace:
         raise FaceError("The measured skin is closed; cut it open at the neck, and at mouth and eyes if they move.")
     warp = registered(head, skin, places68(skin, measured.landmarks))
     loops = named_loops(skin, places68(skin, measured.landmarks))
-    face = _face(skin, head, warp, loops)
-    return PosedFace(face, measured.names, measured.deltas @ turn, loops)
+    laid = head.skin.moved(warp(head.skin.positions))
+    lent = Lent.between(laid, skin)
+    return PosedFace(_face(skin, head, warp, laid, lent, loops), measured.names, measured.deltas @ turn, loops, lent)
 
 
 def named_loops(skin: Mesh, places: dict[str, FloatArray]) -> dict[str, IntArray]:
@@ -98,9 +101,7 @@ def _gap(points: FloatArray, place: FloatArray) -> float:
     return float(np.linalg.norm(points - place, axis=1).min())
 
 
-def _face(skin: Mesh, head: Face, warp: Warp, loops: dict[str, IntArray]) -> Face:
-    laid = head.skin.moved(warp(head.skin.positions))
-    lent = Lent.between(laid, skin)
+def _face(skin: Mesh, head: Face, warp: Warp, laid: Mesh, lent: Lent, loops: dict[str, IntArray]) -> Face:
     solved = _solved(skin, lent, head, loops["rim"])
     _, marks = skin.tree.query(laid.positions[list(head.landmarks.values())])
     left, right = (_eye(eye, warp, skin, loops) for eye in head.eyes)
@@ -116,7 +117,7 @@ def _face(skin: Mesh, head: Face, warp: Warp, loops: dict[str, IntArray]) -> Fac
         eyes=(left, right),
         parts=(),
         skull=_skull(head.skull, warp, laid, lent, skin),
-        layers=_layers(head.layers, lent, skin, solved),
+        layers=borrowed(head.layers, lent, borrowed_supports(head.layers, lent, np.unique(skin.triangles[~solved]))),
         provenance=f"Measured; bone and tissue carried over from {head.title}.",
     )
 
@@ -150,12 +151,3 @@ def _skull(skull: Skull, warp: Warp, laid: Mesh, lent: Lent, skin: Mesh) -> Skul
     cranium, mandible = (bone.moved(warp(bone.positions)) for bone in (skull.cranium, skull.mandible))
     jawbone = lent.values(skull.jawbone)
     return Skull(cranium, mandible, anchors, jawbone, jaw)
-
-
-def _layers(layers: Layers, lent: Lent, skin: Mesh, solved: BoolArray) -> Layers:
-    """Painted layers carried over; held vertices that are landmarks follow, and the skin is clamped where it rests."""
-    supports = layers.supports[lent.vertex].copy()
-    supports[supports == Support.CLAMPED] = Support.FREE
-    supports[np.unique(skin.triangles[~solved])] = Support.CLAMPED
-    rest = {each.name: lent.values(getattr(layers, each.name)) for each in fields(Layers) if each.name != "supports"}
-    return Layers(supports=supports, **rest)

@@ -43,7 +43,7 @@ def fitted(muscle: Muscle, warp: Warp, target: Face, source: Face | None = None)
     """One muscle carried by a warp and snapped to the head ``target``.
 
     Ends come to lie on what they lay on in ``source``: a vertex of the skin, the bone under one, skin or bone
-    elsewhere; without a source, origins go to the bone and attachments to vertices.  The width grows with the
+    elsewhere; without a source, origins go to the bone and attachments to the skin.  The width grows with the
     head about the attachments; strength, kappa and count stay.
     """
     ring = None if muscle.ring is None else _fitted_ring(muscle.ring, warp)
@@ -64,7 +64,7 @@ def _scale(muscle: Muscle, ring: Sphincter | None, warp: Warp) -> float:
 
 
 def _fitted_fibre(fibre: Fibre, warp: Warp, target: Face, source: Face | None) -> Fibre:
-    kinds: tuple[Kind, Kind] = ("bone", "vertex")
+    kinds: tuple[Kind, Kind] = ("bone", "skin")
     if source is not None:
         kinds = kind_of_place(source, fibre.origin)[0], kind_of_place(source, fibre.attachment)[0]
     moved = warp(fibre.points)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from facemodel.anatomy.files import shipped_anatomy
+from facemodel.anatomy.muscles import make_muscles
 from facemodel.atlas import write_atlas
 from facemodel.faces import DEFAULT_FACE
 from facemodel.io.face_file import write_face
-from facemodel.making.atlas import make_muscles
 from facemodel.making.gains import find_gains
-from facemodel.making.head import base_cut, make_face
+from facemodel.making.head import base_cut, make_face, painted
 from facemodel.making.individuals import INDIVIDUALS
 from facemodel.making.lips import with_closed_lips
 from facemodel.making.sculpted import make_sculpted
@@ -18,9 +19,7 @@ from facemodel.making.wheel import Wheel
 from facemodel.sculpted import write_sculpted
 from resources import resource
 
-ATLAS_PROVENANCE = (
-    "Laid by facemodel/making/atlas.py of Risorius from anatomical landmarks; gains solved on this face. CC0."
-)
+ATLAS_PROVENANCE = "Laid by facemodel/anatomy of Risorius from anatomical landmarks; gains solved on this face. CC0."
 
 
 def main() -> None:
@@ -36,9 +35,9 @@ def main() -> None:
     for person in INDIVIDUALS:
         if asked.only not in (None, person.key):
             continue
-        face = with_closed_lips(make_face(wheel, person, cut))
+        face = painted(with_closed_lips(make_face(wheel, person, cut)))
         write_face(face, resource("faces", f"{person.key}.face"), single=True)
-        atlas = find_gains(face, make_muscles(face.skin, face.skull, face.landmarks, face.eyes))
+        atlas = find_gains(face, make_muscles(shipped_anatomy(), face.skin, face.skull, face.landmarks, face.eyes))
         write_atlas(atlas, ATLAS_PROVENANCE, resource("atlas", f"{person.key}.json"))
         print(f"{person.title}: {len(face.skin.positions)} vertices, {len(atlas.muscles)} muscles")
         if person.key == DEFAULT_FACE:

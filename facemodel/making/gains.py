@@ -19,8 +19,17 @@ CLOSE = 0.005
 """Relative error of an amplitude at which the search ends; muscles are linear and need one step, the jaw's arc two
 or three."""
 
-LARGEST_TURN = 40.0
-"""Degrees; an opening beyond this would mean that the skin does not follow the jaw."""
+LARGEST_TURN = 34.0
+"""Degrees; a jaw opens no farther, however much the skin of the chin lags behind it."""
+
+OPEN_WIDE = 33.05
+"""Degrees that the mouth stretch turns the jaw at least, for 40 mm between the incisors, the lower end of the norm."""
+
+WIDER = 1.14
+"""How far beyond the table's amplitude of the chin it may go for that."""
+
+STRETCH = 27
+"""The action unit that opens the jaw all the way."""
 
 
 def find_gains(face: Face, muscles: tuple[Muscle, ...]) -> Atlas:
@@ -35,7 +44,9 @@ def find_gains(face: Face, muscles: tuple[Muscle, ...]) -> Atlas:
         atlas = replace(atlas, gains=gains)
         if all(abs(factor - 1) < CLOSE for factor in wrong.values()):
             break
-    return atlas
+    least = atlas.gains[STRETCH]
+    stretched = min(max(least, OPEN_WIDE / _degrees(STRETCH)), WIDER * least)
+    return replace(atlas, gains={**atlas.gains, STRETCH: stretched})
 
 
 def _factor(basis: Basis, unit: ActionUnit) -> float:

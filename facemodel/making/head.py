@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+
 import numpy as np
 
+from facemodel.anatomy.files import shipped_anatomy
+from facemodel.anatomy.paint import Canvas, head_margins, paint
 from facemodel.chart import make_chart
-from facemodel.face import Face
+from facemodel.face import Face, Layers
 from facemodel.making.cut import Cut, cut_head
 from facemodel.making.individuals import Individual, positions
 from facemodel.making.landmarks import landmarks as find_landmarks
-from facemodel.making.paint import paint
 from facemodel.making.parts import eye, lashes, lowered_tongue, pocket, rigid
 from facemodel.making.skull import make_skull
 from facemodel.making.wheel import Wheel
 from facemodel.mesh import Mesh
-from fem.types import FloatArray
+from fem.types import BoolArray, FloatArray
 
 PROVENANCE = (
     "Derived from the MakeHuman base mesh hm08 and its macro targets, (c) 2020 Data Collection AB, Joel Palmius, Jonas "
@@ -72,6 +76,15 @@ def make_face(wheel: Wheel, person: Individual, cut: Cut) -> Face:
         eyes=eye_pair,
         parts=parts,
         skull=make_skull(skin, marks, eye_pair),
-        layers=paint(skin, cut.solved, marks),
+        layers=_layers(skin, cut.solved, marks),
         provenance=PROVENANCE,
     )
+
+
+def painted(face: Face) -> Face:
+    """A face with the tissue of the recipe that ships."""
+    return replace(face, layers=_layers(face.skin, face.solved, face.landmarks))
+
+
+def _layers(skin: Mesh, solved: BoolArray, marks: Mapping[str, int]) -> Layers:
+    return paint(shipped_anatomy().tissue, Canvas(skin, marks, head_margins(skin)), skin, solved, marks)

@@ -18,6 +18,7 @@ from facemodel.muscles.lid import lid_forces
 from facemodel.muscles.mouth import mouth_forces
 from facemodel.muscles.muscle import Model, Muscle
 from facemodel.muscles.parameters import Parameter, ProfileParameter
+from facemodel.muscles.pressure import pressure_forces
 from facemodel.muscles.quadrilateral import quadrilateral_forces
 from facemodel.muscles.sphincter import sphincter_forces
 from fem.types import FloatArray
@@ -40,6 +41,7 @@ class MuscleModel:
     act : the action (N, 3) on the skin of a face at full contraction
     parameters : what a person may turn
     slides : whether forces that point into the bone are turned along it; the bone itself moves under the others
+    inflates : whether it is a pressure from within, which brings the volume that it lifts the skin by
     """
 
     title: str
@@ -49,6 +51,7 @@ class MuscleModel:
     act: Callable[[Muscle, Face], FloatArray]
     parameters: tuple[Parameter | ProfileParameter, ...]
     slides: bool = True
+    inflates: bool = False
 
 
 def _on_skin(model: Callable[[Muscle, Mesh], FloatArray]) -> Callable[[Muscle, Face], FloatArray]:
@@ -111,6 +114,16 @@ MODELS: Mapping[Model, MuscleModel] = {
         "force",
         _on_skin(lid_forces),
         (of.STRENGTH, of.INWARD),
+    ),
+    "pressure": MuscleModel(
+        "Pressure from within",
+        "breath behind the skin, along its normal",
+        "ring",
+        "force",
+        _on_skin(pressure_forces),
+        (of.WIDTH, of.STRENGTH, of.INWARD),
+        slides=False,
+        inflates=True,
     ),
     "jaw": MuscleModel(
         "Jaw force",

@@ -10,7 +10,7 @@ import numpy as np
 from facemodel.muscles.profile import Profiles
 from fem.types import FloatArray
 
-Model = Literal["fibre", "quadrilateral", "cosine", "sphincter", "mouth", "cosine_ring", "lid", "jaw"]
+Model = Literal["fibre", "quadrilateral", "cosine", "sphincter", "mouth", "cosine_ring", "lid", "pressure", "jaw"]
 MuscleSide = Literal["L", "R", "M"]
 
 

@@ -13,7 +13,7 @@ from facemodel.face import Face
 from facemodel.painting.delta import LayerDelta, Member, layer_delta
 from facemodel.painting.frames import angle_of, direction_at, doubled, line_at, tangent_frames, wrapped
 from facemodel.painting.geodesic import SurfacePoint
-from facemodel.tissue import SLIDING, bone_depth
+from facemodel.tissue import bone_depth
 from fem import Support
 from fem.types import FloatArray, IntArray
 
@@ -116,21 +116,21 @@ FIRM_TISSUE = "at most cartilage of 1 MPa over a centimetre; below zero it would
 
 PAINT_LAYERS: tuple[PaintLayer, ...] = (
     PaintLayer(
-        "stretching-along", "Stretching along the grain", "N/mm", "amount", 0, 2, 0.15, STIFF_SKIN, "stretching", 0
+        "stretching-along", "Stretching along the grain", "N/mm", "amount", 0, 2, 0.168, STIFF_SKIN, "stretching", 0
     ),
     PaintLayer(
-        "stretching-across", "Stretching across the grain", "N/mm", "amount", 0, 2, 0.15, STIFF_SKIN, "stretching", 1
+        "stretching-across", "Stretching across the grain", "N/mm", "amount", 0, 2, 0.168, STIFF_SKIN, "stretching", 1
     ),
     PaintLayer("grain", "Grain", "°", "angle", -90, 90, 0, "a line turned by 180° is the same line", "direction"),
-    PaintLayer("bending-along", "Bending along the grain", "N mm", "amount", 0, 10, 0.5, THICK_SKIN, "bending", 0),
-    PaintLayer("bending-across", "Bending across the grain", "N mm", "amount", 0, 10, 0.5, THICK_SKIN, "bending", 1),
-    PaintLayer("bending-twist", "Twisting", "N mm", "amount", 0, 10, 0.5, THICK_SKIN, "bending", 2),
-    PaintLayer("stiffness", "Tissue stiffness", "N/mm³", "amount", 0, 0.1, 0.004, FIRM_TISSUE, "stiffness"),
+    PaintLayer("bending-along", "Bending along the grain", "N mm", "amount", 0, 10, 0.2, THICK_SKIN, "bending", 0),
+    PaintLayer("bending-across", "Bending across the grain", "N mm", "amount", 0, 10, 0.2, THICK_SKIN, "bending", 1),
+    PaintLayer("bending-twist", "Twisting", "N mm", "amount", 0, 10, 0.2, THICK_SKIN, "bending", 2),
+    PaintLayer("stiffness", "Tissue stiffness", "N/mm³", "amount", 0, 0.1, 0.0016, FIRM_TISSUE, "stiffness"),
     PaintLayer(
         "thickness", "Tissue thickness", "mm", "amount", 0.2, 60, 8, DEEP_TISSUE, "thickness", automatic=bone_depth
     ),
-    PaintLayer("sliding", "Sliding over bone", "", "amount", 1, 200, SLIDING, SLIDING_TISSUE, "sliding"),
-    PaintLayer("volume", "Volume stiffness", "N/mm³", "amount", 0, 0.5, 0, FULL_TISSUE, "volume", typical=0.02),
+    PaintLayer("sliding", "Sliding over bone", "", "amount", 1, 200, 7.28, SLIDING_TISSUE, "sliding"),
+    PaintLayer("volume", "Volume stiffness", "N/mm³", "amount", 0, 0.5, 0, FULL_TISSUE, "volume", typical=0.012),
     PaintLayer(
         "supports", "Supports", "", "choice", 0, len(Support) - 1, 0, "each number is one kind of support", "supports"
     ),

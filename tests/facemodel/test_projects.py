@@ -21,7 +21,7 @@ def test_a_new_project_is_at_rest_and_every_unit_has_its_forces(key: str) -> Non
     project = new_project(key)
     assert project.face.key == key
     assert project.expression == {}
-    assert len(project.emotions) == 7
+    assert len(project.emotions) == 16
     names, forces = field_forces(project.units, project.muscles, project.face)
     assert np.isfinite(forces).all()
     without_muscles = {name for unit in project.units if not unit.muscles for name in unit.fields}

@@ -65,6 +65,7 @@ def loosened(project: Project, stiffness: float = 0.0) -> Project:
     layers = replace(
         face.layers,
         stiffness=np.full_like(face.layers.stiffness, stiffness),
+        volume=np.zeros_like(face.layers.volume),
         supports=np.full_like(face.layers.supports, Support.FREE),
     )
     everything = np.ones_like(face.solved)

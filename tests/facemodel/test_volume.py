@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from facemodel.basis import Basis
 from facemodel.face import Face
 from facemodel.io.archive import unpack
 from facemodel.io.project_file import PROJECT_MEMBER, load_project, project_bytes, save_project
@@ -13,14 +14,18 @@ from facemodel.painting.layers import LAYER
 from facemodel.solve import face_system
 from facemodel.solver import FaceSolver
 from facemodel.staleness import stale_fields
-from facemodel.tissue import SLIDING, tissue_springs
+from facemodel.tissue import SLIDING, tissue_springs, tissue_thickness
 from facemodel.volume import bone_volume, divergence
 from fem.types import FloatArray
 from tests.app.conftest import small_project
+from tests.facemodel.places import vertex_fields
 from tests.facemodel.test_painting_layers import DOME, FACE
 
 FIRM = 0.2
 """N/mm^3, fifty times the tissue's stiffness: volume is all but kept."""
+
+MOST_CHANGE = 0.02
+"""Share of the volume under the skin by which it may change where the layer is on."""
 
 
 def painted(face: Face, **layers: float | FloatArray) -> Face:
@@ -101,3 +106,16 @@ def test_both_are_painted_like_any_layer() -> None:
         delta = layer.delta(FACE, np.arange(3), np.array([layer.low - 1, layer.default, layer.high + 1]))
         values = layer.values(replace(FACE, layers=delta.done(FACE.layers)))
         assert values[:3] == pytest.approx([layer.low, layer.default, layer.high])
+
+
+@pytest.mark.parametrize("number", [12, 18])
+def test_cheeks_and_lips_keep_their_volume_when_they_are_pulled_and_pursed(
+    face: Face, basis: Basis, number: int
+) -> None:
+    fields = vertex_fields(face, basis)
+    moved = fields[f"{number}L"] + fields[f"{number}R"]
+    thickness, areas = tissue_thickness(face), face.skin.vertex_areas
+    change = np.einsum("ij,ij->i", moved, face.skin.normals) + thickness / 2 * divergence(face.skin, moved)
+    kept = face.layers.volume > 0.5 * face.layers.volume.max()
+    share = (areas * change)[kept].sum() / (areas * thickness)[kept].sum()
+    assert abs(share) < MOST_CHANGE

@@ -1,0 +1,77 @@
+"""One head, on which words of the recipe become points of skin and bone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from facemodel.anatomy.recipe import Course, Spot
+from facemodel.face import Skull
+from facemodel.laying.places import nearest
+from facemodel.mesh import Mesh
+from facemodel.muscles import Fibre
+from fem.types import FloatArray
+
+SCALE_FROM = ("eye_outer_L", "eye_outer_R")
+EYES_APART = 87.0
+"""Millimetres between the outer canthi for which lengths are written; other heads scale them."""
+
+
+class Placement:
+    """One head, on which spots become points.
+
+    Parameters
+    ----------
+    skin : the skin at rest
+    skull : the bone under it
+    landmarks : skin vertices by name
+    """
+
+    def __init__(self, skin: Mesh, skull: Skull, landmarks: Mapping[str, int]) -> None:
+        self._skin = skin
+        self._skull = skull
+        self._landmarks = landmarks
+        left, right = (skin.positions[landmarks[name]] for name in SCALE_FROM)
+        self.scale = float(np.linalg.norm(left - right)) / EYES_APART
+
+    def landmark(self, name: str, side: str) -> FloatArray:
+        """A landmark (3,); one without side is that of the side that is asked for."""
+        full = name if name in self._landmarks else f"{name}_{'R' if side == 'R' else 'L'}"
+        return np.asarray(self._skin.positions[self._landmarks[full]])
+
+    def offset(self, offset: tuple[float, float, float], side: str) -> FloatArray:
+        """An offset (3,) on this head; ``side`` ``R`` mirrors it."""
+        return np.asarray(offset) * [-1.0 if side == "R" else 1.0, 1.0, 1.0] * self.scale
+
+    def point(self, spot: Spot, side: str) -> FloatArray:
+        """The spot itself (3,), not snapped."""
+        return np.asarray(self.landmark(spot.landmark, side) + self.offset(spot.offset, side))
+
+    def on_skin(self, spot: Spot, side: str) -> FloatArray:
+        """The nearest place (3,) of the skin to a spot."""
+        return np.array(nearest(self._skin, self.point(spot, side))[0][0])
+
+    def on_bone(self, spot: Spot, side: str) -> FloatArray:
+        """The bone (3,) under the place of the skin that is nearest to a spot."""
+        return self._below(self.point(spot, side))
+
+    def fibre(self, course: Course, side: str) -> Fibre:
+        """A central fibre, which touches bone in between as often as its course says."""
+        origin, attachment = self.on_bone(course.origin, side), self.on_skin(course.attachment, side)
+        shares = np.linspace(0, 1, course.over + 2)[1:-1]
+        return Fibre(origin, attachment, tuple(self._below(origin + s * (attachment - origin)) for s in shares))
+
+    def _below(self, point: FloatArray) -> FloatArray:
+        """The bone (3,) under the place of the skin that is nearest to a point."""
+        place, triangle, _ = nearest(self._skin, point)
+        corners = self._skin.triangles[int(triangle[0])]
+        share = barycentric(self._skin.positions[corners], place[0])
+        return np.asarray(share @ self._skull.anchors[corners])
+
+
+def barycentric(corners: FloatArray, point: FloatArray) -> FloatArray:
+    """Shares (3,) of the corners (3, 3) of a triangle in a point (3,) of it."""
+    edges = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=1)
+    second, third = np.linalg.lstsq(edges, point - corners[0], rcond=None)[0]
+    return np.array([1 - second - third, second, third])

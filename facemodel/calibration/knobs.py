@@ -1,0 +1,172 @@
+"""The numbers of a recipe that may be turned, each within anatomical bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
+
+import numpy as np
+
+from facemodel.anatomy.recipe import Anatomy, Band, Course, Region, Ring, Spot
+from fem.types import FloatArray
+
+Owner = TypeVar("Owner")
+
+MOST_TURNS = 2.0
+"""Steps that a knob goes to either side of where it stood: what one head's anatomy may differ from another's."""
+
+
+@dataclass(frozen=True)
+class Knob:
+    """One number that may be turned.
+
+    Attributes
+    ----------
+    name : for people, for example ``zygomaticus_major width``
+    step : how far one turn goes: millimetres, or the logarithm of a factor
+    turned : the recipe with this number turned so many steps from where it is
+    muscle : whose it is; empty for one of the tissue
+    """
+
+    name: str
+    step: float
+    turned: Callable[[Anatomy, float], Anatomy]
+    muscle: str = ""
+
+
+ATTACHED, ORIGINATED = 4.0, 5.0
+"""Millimetres by which attachments in the skin and origins on the bone differ between people."""
+
+WIDER, SHARPER = 0.35, 0.5
+"""Logarithms of the factors on width and kappa of one step."""
+
+WIDTHS, KAPPAS = (6.5, 26.0), (0.5, 8.0)
+"""Bounds of width, millimetres, and kappa: a narrower pull would fall between the vertices of a coarse skin."""
+
+FIRMER = 0.5
+"""Logarithm of the factor on the tissue of one step."""
+
+
+def knobs(anatomy: Anatomy) -> tuple[Knob, ...]:
+    """All knobs of a recipe."""
+    found: list[Knob] = []
+    for number, band in enumerate(anatomy.bands):
+        found += _band_knobs(number, band)
+    for number, ring in enumerate(anatomy.rings):
+        found += _ring_knobs(number, ring)
+    for layer in ("stretching", "bending", "stiffness", "sliding"):
+        found.append(_tissue_knob(layer))
+    for number, region in enumerate(anatomy.tissue.regions):
+        found += [_region_knob(number, region, layer) for layer, factor in region.factors.items() if factor]
+    return tuple(found)
+
+
+def turned(anatomy: Anatomy, all_knobs: Sequence[Knob], steps: FloatArray) -> Anatomy:
+    """The recipe with every knob turned so many steps."""
+    for knob, step in zip(all_knobs, steps, strict=True):
+        if step:
+            anatomy = knob.turned(anatomy, float(step))
+    return anatomy
+
+
+def _band_knobs(number: int, band: Band) -> list[Knob]:
+    def knob(what: str, step: float, change: Callable[[Band, float], Band]) -> Knob:
+        return Knob(f"{band.name} {what}", step, _on("bands", number, change, step), band.name)
+
+    def shifted(end: str, axis: int, first: float, last: float) -> Callable[[Band, float], Band]:
+        return lambda b, x: replace(b, courses=_shifted(b.courses, end, axis, first * x, last * x))
+
+    made = [
+        knob("width", WIDER, lambda b, x: replace(b, width=_times(b.width, x, WIDTHS))),
+        knob("kappa", SHARPER, lambda b, x: replace(b, kappa=_times(b.kappa, x, KAPPAS))),
+    ]
+    for axis, way in ((0, "lateral"), (1, "up")):
+        if band.midline and axis == 0:
+            continue
+        made.append(knob(f"origin {way}", ORIGINATED, shifted("origin", axis, 1, 1)))
+        if len(band.courses) == 1 or band.midline:
+            made.append(knob(f"attachment {way}", ATTACHED, shifted("attachment", axis, 1, 1)))
+        else:
+            made.append(knob(f"first attachment {way}", ATTACHED, shifted("attachment", axis, 1, 0)))
+            made.append(knob(f"last attachment {way}", ATTACHED, shifted("attachment", axis, 0, 1)))
+    return made
+
+
+def _times(value: float, log: float, bounds: tuple[float, float]) -> float:
+    return float(np.clip(value * np.exp(log), *bounds))
+
+
+def _shifted(courses: tuple[Course, ...], end: str, axis: int, first: float, last: float) -> tuple[Course, ...]:
+    """Courses whose one end is shifted along an axis, from the first to the last more and more otherwise."""
+    shares = np.linspace(0, 1, len(courses)) if len(courses) > 1 else np.array([0.5])
+    made = []
+    for course, share in zip(courses, shares, strict=True):
+        spot: Spot = getattr(course, end)
+        offset = list(spot.offset)
+        offset[axis] += float(first * (1 - share) + last * share)
+        made.append(_with(course, end, replace(spot, offset=(offset[0], offset[1], offset[2]))))
+    return tuple(made)
+
+
+def _ring_knobs(number: int, ring: Ring) -> list[Knob]:
+    def knob(what: str, step: float, change: Callable[[Ring, float], Ring]) -> Knob:
+        return Knob(f"{ring.name} {what}", step, _on("rings", number, change, step), ring.name)
+
+    def share(name: str, low: float, high: float) -> Callable[[Ring, float], Ring]:
+        return lambda r, x: _with(r, name, float(np.clip(getattr(r, name) + x, low, high)))
+
+    def raised(r: Ring, x: float) -> Ring:
+        return replace(r, shift=(r.shift[0], r.shift[1] + x, r.shift[2]))
+
+    made = [
+        knob("width", WIDER, lambda r, x: replace(r, width=r.width * float(np.exp(x)))),
+        knob("reach", WIDER / 2, lambda r, x: replace(r, reach=r.reach * float(np.exp(x)))),
+        knob(
+            "height",
+            WIDER / 2,
+            lambda r, x: replace(r, height=r.height * float(np.exp(x)), relative=r.relative * float(np.exp(x))),
+        ),
+        knob("up", ATTACHED / 2, raised),
+    ]
+    if ring.model == "sphincter":
+        made.append(knob("focus", 0.25, share("focus", 0, 1)))
+    if ring.model in ("sphincter", "mouth"):
+        made.append(knob("forward", 0.25, share("forward", -1, 1)))
+        made.append(knob("inward", 0.25, share("inward", -1, 1)))
+    return made
+
+
+def _tissue_knob(layer: str) -> Knob:
+    def change(anatomy: Anatomy, steps: float) -> Anatomy:
+        value = getattr(anatomy.tissue, layer) * float(np.exp(FIRMER * steps))
+        return replace(anatomy, tissue=_with(anatomy.tissue, layer, value))
+
+    return Knob(f"tissue {layer}", FIRMER, change)
+
+
+def _region_knob(number: int, region: Region, layer: Any) -> Knob:
+    def change(anatomy: Anatomy, steps: float) -> Anatomy:
+        regions = list(anatomy.tissue.regions)
+        factors = dict(regions[number].factors)
+        factors[layer] *= float(np.exp(FIRMER * steps))
+        regions[number] = replace(regions[number], factors=factors)
+        return replace(anatomy, tissue=replace(anatomy.tissue, regions=tuple(regions)))
+
+    return Knob(f"{region.name} {layer}", FIRMER, change)
+
+
+def _on(
+    list_name: str, number: int, change: Callable[[Any, float], Any], step: float
+) -> Callable[[Anatomy, float], Anatomy]:
+    def turn(anatomy: Anatomy, steps: float) -> Anatomy:
+        items = list(getattr(anatomy, list_name))
+        items[number] = change(items[number], step * steps)
+        return _with(anatomy, list_name, tuple(items))
+
+    return turn
+
+
+def _with(owner: Owner, name: str, value: Any) -> Owner:
+    """A frozen value with another member."""
+    return replace(owner, **{name: value})  # type: ignore[type-var]
