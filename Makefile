@@ -5,7 +5,7 @@ PYTHON := .venv/bin/python
 # Settings of another Python must not leak into ours.
 unexport PYTHONPATH PYTHONHOME VIRTUAL_ENV
 
-.PHONY: help run test lint format bench check-exports pictures lock clean setup setup-display
+.PHONY: help run test lint format bench check-exports pictures plates lock clean setup setup-display
 
 help:
 	@echo "make run     open the editor; without a display, leave pictures and a .glb in output/"
@@ -13,6 +13,7 @@ help:
 	@echo "make bench   measure, and write the figures to benchmarks/results/"
 	@echo "make check-exports  play exported faces in three.js, Blender and the validators that are installed"
 	@echo "make pictures  take the pictures of README and docs anew"
+	@echo "make plates    draw docs/action-units.md anew; MEASURED=FILE.npz compares it with measured expressions, too"
 	@echo "make lint    only ruff, mypy and the import rules"
 	@echo "make format  put the code into ruff's format"
 	@echo "make lock    pin the newest allowed packages in requirements.lock"
@@ -42,6 +43,9 @@ check-exports: setup
 
 pictures: setup-display
 	@.ci/with-display $(PYTHON) -m docs.pictures
+
+plates: setup-display
+	@.ci/with-display $(PYTHON) -m docs.plates $(MEASURED)
 
 lock: setup
 	@.ci/lock
