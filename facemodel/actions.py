@@ -146,6 +146,11 @@ class Emotion:
         """The name as a person writes it."""
         return self.name.capitalize()
 
+    @property
+    def family(self) -> str:
+        """The name of what it is a variant of, as ``anger`` for ``anger, lips pressed``; empty if of nothing."""
+        return self.name.split(", ", 1)[0] if ", " in self.name else ""
+
 
 def field_names(units: Iterable[ActionUnit]) -> tuple[str, ...]:
     """Names of all sliders, in the order of the units, left before right."""

@@ -11,6 +11,7 @@ from app.authoring.intensities import with_letters
 from app.authoring.units import with_limit
 from app.document import Document
 from app.view import View
+from facemodel.actions import Emotion
 from tests.ui.hands import drag, enter, leave
 from ui.panels.emotion_match import shown_strength
 from ui.panels.expression_panel import ExpressionPanel
@@ -287,3 +288,23 @@ def test_the_bar_of_a_unit_ends_at_its_limit(panel, document):
     assert document.shown["17"] == 0.4
     typed(slider, "1")
     assert slider.weight == document.shown["17"] == 0.4
+
+
+def test_variants_of_an_emotion_are_folded_away_and_tell_when_one_is_on(panel, document):
+    bar = panel.emotions
+    assert not bar.variants.isVisible()
+    varied = replace(
+        document.project,
+        emotions=(*document.project.emotions, Emotion("happiness, chin raised", {"12": 0.7, "17": 0.5})),
+    )
+    document.edit(varied, "Vary")
+    button = bar.buttons["happiness, chin raised"]
+    assert bar.variants.isVisible()
+    assert not button.isVisible()
+    QTest.mouseClick(bar.variants.heading, Qt.MouseButton.LeftButton)
+    assert button.isVisible()
+    assert button.text() == "Chin raised"
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert document.shown["17"] == 0.5
+    assert bar.strength.label == "Happiness, chin raised strength"
+    assert button.width() < panel.width() / 4

@@ -12,6 +12,7 @@ from ui.panels.emotion_match import shown_strength
 from ui.portraits import NEUTRAL, Portraits
 from ui.theme.metrics import GRID
 from ui.widgets.activation_slider import ActivationSlider
+from ui.widgets.collapsible import Collapsible
 from ui.widgets.face_button import FaceButton
 from ui.widgets.strength_button import StrengthButton
 
@@ -36,14 +37,15 @@ class EmotionBar(QWidget):
         self.strength.previewed.connect(lambda strength: self._preview(self._active, strength))
         self.strength.committed.connect(self._commit)
         self.strength.cancelled.connect(lambda: self._document.cancel_preview())
-        self._grid = QGridLayout()
-        self._grid.setSpacing(2)
-        for column in range(COLUMNS):
-            self._grid.setColumnStretch(column, 1)
+        self._grid, self._more = _grid(), _grid()
+        self.variants = Collapsible("Variants")
+        self.variants.rows.addLayout(self._more)
+        self.variants.fold(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(GRID // 2)
         layout.addLayout(self._grid)
+        layout.addWidget(self.variants)
         layout.addWidget(self.strength)
         portraits.taken.connect(self._show_portrait)
         self.show_project(document.project)
@@ -56,18 +58,25 @@ class EmotionBar(QWidget):
             button.deleteLater()
         self._full = {emotion.name: checked_weights(emotion.weights, project) for emotion in emotions}
         self.buttons = {emotion.name: self._button(emotion) for emotion in emotions}
-        for place, button in enumerate((*self.buttons.values(), self.neutral)):
-            self._grid.addWidget(button, *divmod(place, COLUMNS))
+        names = self.buttons.keys()
+        variants = [emotion.name for emotion in emotions if emotion.family in names]
+        first = [button for name, button in self.buttons.items() if name not in variants]
+        for grid, shown in ((self._grid, [*first, self.neutral]), (self._more, [self.buttons[n] for n in variants])):
+            for place, button in enumerate(shown):
+                grid.addWidget(button, *divmod(place, COLUMNS))
+        self.variants.setVisible(bool(variants))
         self.show_expression(self._document.shown)
 
     def show_expression(self, expression: Expression) -> None:
         """Show which emotion an expression is; the document hears nothing of it."""
-        on = 0.0
+        on, varied = 0.0, 0
         for emotion in self._emotions:
             strength = shown_strength(expression, self._full[emotion.name])
             self.buttons[emotion.name].set_strength(strength)
             if strength > 0:
                 self._active, on = emotion.name, strength
+                varied += emotion.family in self.buttons
+        self.variants.heading.set_active(varied)
         held = self.strength.held or self._document.held
         if not held:
             self.strength.setEnabled(on > 0)
@@ -80,7 +89,9 @@ class EmotionBar(QWidget):
             button.set_picture(self._portraits.picture(name))
 
     def _button(self, emotion: Emotion) -> StrengthButton:
-        button = StrengthButton(emotion.title)
+        varied = emotion.family in {each.name for each in self._emotions}
+        button = StrengthButton(emotion.title.split(", ", 1)[-1].capitalize() if varied else emotion.title)
+        button.setAccessibleName(emotion.title)
         button.set_picture(self._portraits.picture(emotion.name))
         recipe = " + ".join(name for name in emotion.weights)
         button.setToolTip(f"{emotion.title}: {recipe}<br>Click for all of it, drag across for less")
@@ -103,3 +114,12 @@ class EmotionBar(QWidget):
     def _commit(self) -> None:
         self._document.commit(self._active.capitalize())
         self.show_expression(self._document.shown)
+
+
+def _grid() -> QGridLayout:
+    """A grid whose columns are of one width, whatever the names below the faces."""
+    grid = QGridLayout()
+    grid.setSpacing(2)
+    for column in range(COLUMNS):
+        grid.setColumnStretch(column, 1)
+    return grid

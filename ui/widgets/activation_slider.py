@@ -47,13 +47,24 @@ class ActivationSlider(BarHands, QAbstractSlider):
 
     def __init__(self, label: str, side: FillSide = "both", parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.label = label
+        self._label = label
         self.side: FillSide = side
         self._scale = USUAL
         self._weights = (0.0, 0.0)
         self.setOrientation(Qt.Orientation.Horizontal)
         self.setRange(0, int(LARGEST_WEIGHT * PERCENT))
         self._get_ready(label)
+
+    @property
+    def label(self) -> str:
+        """What stands on the bar."""
+        return self._label
+
+    @label.setter
+    def label(self, label: str) -> None:
+        if label != self._label:
+            self._label = label
+            self.update()
 
     @property
     def weight(self) -> float:

@@ -16,6 +16,9 @@ from ui.widgets.portrait_paint import paint_portrait
 FACE, CAPTION = 60, 18
 """Height of the face and of the name below it."""
 
+WIDEST = 7 * GRID
+"""Width that a button asks for at most."""
+
 FACE_PART = 0.42
 """Which part of a portrait is kept where it is cut: the eyes stay, rather than the chin."""
 
@@ -49,8 +52,9 @@ class FaceButton(QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """A face, and the word with a little air."""
-        return QSize(QFontMetrics(interface_font(SMALL_TYPE)).horizontalAdvance(self.text()) + 6, FACE + CAPTION)
+        """A face, and the word with a little air; a long word makes no button wider than others."""
+        word = QFontMetrics(interface_font(SMALL_TYPE)).horizontalAdvance(self.text()) + 6
+        return QSize(min(word, WIDEST), FACE + CAPTION)
 
     def minimumSizeHint(self) -> QSize:
         """A face; a long word is shortened."""
