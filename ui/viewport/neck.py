@@ -1,4 +1,4 @@
-"""The clean cut of the neck: a plane just above the rim of the skin, and a dark cap in it.
+"""The clean cut of the neck: a plane just above the rim of the skin, and a plain cap in it.
 
 The triangles that the plane crosses are cut once and stand still, as the neck does; all others stay the skin's own.
 """
@@ -12,14 +12,14 @@ import numpy as np
 
 from facemodel.display import DisplaySurface
 from fem.types import BoolArray, FloatArray, IntArray
-from ui.viewport.shading import MATTE, apply
 from ui.viewport.surface import Surface
 
 ABOVE_RIM = 0.3
 """Millimetres between the highest point of the rim, as a wavy line about a plane, and the cut."""
 UPRIGHT = 0.7
 """Least upward share of the normal of a rim that is a neck's and not the edge of a mask."""
-CAP = (0.085, 0.070, 0.066)
+CAP = (0.46, 0.36, 0.325)
+"""Of the section, as it is seen from anywhere: darker than skin and lighter than shadow, calm on both backdrops."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +100,8 @@ def neck_cap(cut: NeckCut, display: DisplaySurface) -> Surface:
     points = np.concatenate([ring, ring.mean(axis=0, keepdims=True)]).astype(np.float32)
     normals = np.ascontiguousarray(np.broadcast_to(-cut.normal, points.shape), dtype=np.float32)
     surface = Surface(points, normals, triangles)
-    surface.actor.GetProperty().SetColor(*CAP)
-    surface.actor.GetProperty().BackfaceCullingOn()
-    apply(surface.actor, MATTE)
+    look = surface.actor.GetProperty()
+    look.SetColor(*CAP)
+    look.LightingOff()
+    look.BackfaceCullingOn()
     return surface
