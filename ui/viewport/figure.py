@@ -86,7 +86,7 @@ class Figure:
 
     @property
     def actors(self) -> Iterator[vtkActor]:
-        """All that is drawn; the clear film of the eyes comes last."""
+        """All that is drawn; what one can look through comes last: the clear film of the eyes, and lashes over it."""
         yield self.skin.surface.actor
         if self.skin.hem is not None:
             yield self.skin.hem.actor
@@ -94,10 +94,10 @@ class Figure:
             yield self._seam
         for surface in (*self._still, *self._jaw, *self._carried, *self._caps):
             yield surface.actor
-        for lash in self.lashes:
-            yield lash.surface.actor
         for eye in self.eyes:
             yield from eye.actors
+        for lash in self.lashes:
+            yield lash.surface.actor
 
     def _place(self, part: Part) -> None:
         """Make what draws a part."""

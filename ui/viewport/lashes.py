@@ -7,14 +7,15 @@ import numpy as np
 from facemodel.face import Eye
 from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.lids import LidLine
-from ui.viewport.shading import HAIR, apply
+from ui.viewport.shading import HAIR
+from ui.viewport.strands import spread
 from ui.viewport.surface import Surface
 
 COUNT = {"upper": 80, "lower": 40}
 LENGTH = {"upper": 7.6, "lower": 3.4}
 """Hairs per lid, and their length in millimetres where they are longest."""
 SEGMENTS = 4
-ROOT_WIDTH = {"upper": 0.24, "lower": 0.15}
+ROOT_WIDTH = {"upper": 0.18, "lower": 0.12}
 """Millimetres; a hair is thinner, but several grow together."""
 
 
@@ -35,11 +36,10 @@ class Lashes:
         ribs = np.arange(count)[:, None] * SEGMENTS * 2 + 2 * np.arange(SEGMENTS - 1)[None]
         a = ribs.reshape(-1)
         triangles = np.concatenate([np.stack([a, a + 1, a + 3], 1), np.stack([a, a + 3, a + 2], 1)])
-        shape = (count * SEGMENTS * 2, 3)
-        self.surface = Surface(np.zeros(shape, np.float32), np.zeros(shape, np.float32), triangles)
-        actor = self.surface.actor
-        actor.GetProperty().SetColor(*(0.45 * c for c in hair))
-        apply(actor, HAIR)
+        points, normals, self._strands = (np.zeros((count * SEGMENTS * 2, k), np.float32) for k in (3, 3, 4))
+        self.surface = Surface(points, normals, triangles)
+        self.surface.actor.GetProperty().SetColor(*(0.45 * c for c in hair))
+        spread(self.surface, self._strands, HAIR)
         self._seen: FloatArray | None = None
         self.follow(rest)
 
@@ -49,9 +49,10 @@ class Lashes:
         if self._seen is not None and np.array_equal(margin, self._seen):
             return
         self._seen = margin
-        places, normals = self._plan.grow(margin, self._centre)
+        places, normals, strands = self._plan.grow(margin, self._centre)
         self.surface.points[:] = places.reshape(-1, 3)
         self.surface.normals[:] = normals.reshape(-1, 3)
+        self._strands[:] = strands.reshape(-1, 4)
         self.surface.moved()
 
 
@@ -90,8 +91,8 @@ class _Plan:
         self.width = np.where(upper_hair, ROOT_WIDTH["upper"], ROOT_WIDTH["lower"])
         self.outward = outward
 
-    def grow(self, margin: FloatArray, centre: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Points and normals (H, SEGMENTS, 2, 3) of the hairs' ribbons."""
+    def grow(self, margin: FloatArray, centre: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Places and normals (H, SEGMENTS, 2, 3) along the hairs, twice each, and their strands (H, SEGMENTS, 2, 4)."""
         share = self.share[:, None]
         root = margin[self.start] * (1 - share) + margin[self.stop] * share
         radial = _unit(root - centre)
@@ -99,12 +100,13 @@ class _Plan:
         up = np.cross(radial, side) * self.outward * self.sign[:, None]
         heading = _unit(radial + 0.10 * up + self.spread[:, None] * side)
         t = np.linspace(0, 1, SEGMENTS)[None, :, None]
-        size = self.length[:, None, None]
-        path = root[:, None] + size * (t * heading[:, None] + 0.5 * self.curl[:, None, None] * t**2 * up[:, None])
-        width = (self.width[:, None, None] * (1 - 0.9 * t**1.5))[..., None] * np.array([-0.5, 0.5])[None, None, :, None]
-        flat = _unit(np.cross(heading, up))[:, None, None]
+        size, curl = self.length[:, None, None], self.curl[:, None, None]
+        path = root[:, None] + size * (t * heading[:, None] + 0.5 * curl * t**2 * up[:, None])
+        along = _unit(heading[:, None] + curl * t * up[:, None])
+        half = 0.5 * self.width[:, None, None] * (1 - 0.9 * t**1.5)
+        strands = np.stack([np.concatenate([along, sign * half], axis=2) for sign in (-1, 1)], axis=2)
         normal = np.broadcast_to(_unit(radial + up)[:, None, None], (self.count, SEGMENTS, 2, 3))
-        return path[:, :, None] + width * flat, normal
+        return np.stack([path, path], axis=2), normal, strands
 
 
 def _unit(vectors: FloatArray) -> FloatArray:

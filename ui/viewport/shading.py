@@ -21,6 +21,8 @@ class Ghost(Enum):
     SOLID = "fragOutput0 = vec4(seen, opacityUniform);"
     VEIL = "fragOutput0 = vec4(seen, max(0.22 + 0.70 * graze2 * graze, 0.9 * COVER));"
     """Clear where it is seen straight on, dense towards its outline and where it is painted."""
+    STRAND = "fragOutput0 = vec4(seen, strandCover());"
+    """A hair, see `ui.viewport.strands`."""
 
 
 @dataclass(frozen=True)
