@@ -208,13 +208,12 @@ def _exporting(exchange: Callable[[], Exchange], timeline: Timeline) -> tuple[Ac
     def export(kind: str) -> Deed:
         return lambda _context: exchange().export(kind)
 
+    # The page of File > Export offers them among all that an animation can become; here they are for the palette.
     return tuple(
         Action(
             f"timeline.export.{kind}",
-            f"{table.title} over time ({table.suffix})…",
+            f"Export {table.title} over time ({table.suffix})…",
             export(kind),
-            menu=("File", "Export"),
-            group=1,
             hint=f"Write {table.holds}",
             enabled=moves,
         )

@@ -8,12 +8,14 @@ import pytest
 from app.actions import Context
 from app.actions.action import perform
 from app.document import Document
+from app.palette import rank
 from app.timeline.exchange import Exchange, exchange_actions
 from app.timeline.sounds import SoundShelf
 from app.timeline.timeline import Timeline
 from facemodel.animation.capture import Capture
 from facemodel.animation.sound import Sound
 from facemodel.io.audio import write_sound
+from facemodel.io.weights.writing import WEIGHT_EXPORTS
 from facemodel.solve import solve_project
 from tests.app.desk import Desk
 
@@ -127,6 +129,15 @@ def test_weights_are_written_as_they_are_seen(act, desk: Desk, tmp_path: Path, k
     act(f"timeline.export.{kind}", file)
     assert desk.errors == []
     assert len(file.read_text().splitlines()) > 100
+
+
+def test_weights_leave_by_the_page_of_the_menu_and_are_found_by_name(exchange: Exchange, timeline: Timeline) -> None:
+    actions = exchange_actions(lambda: exchange, timeline)
+    exports = [action for action in actions if action.id.startswith("timeline.export.")]
+    assert len(exports) == len(WEIGHT_EXPORTS)
+    assert not any(action.menu for action in exports)
+    for query in ("export live link", "export arkit", "mpeg"):
+        assert rank(query, actions)[0].action in exports
 
 
 def test_what_cannot_be_measured_on_this_face_is_said(act, document: Document, desk: Desk, tmp_path: Path) -> None:

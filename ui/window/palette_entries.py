@@ -8,7 +8,7 @@ from app.palette import rank, typed_expression
 from ui.widgets.command_palette import PaletteEntry
 from ui.window.action_binding import ActionBinding
 
-KINDS = {"unit": "Action unit", "muscle": "Muscle", "expression": "Expression"}
+KINDS = {"unit": "Action unit", "muscle": "Muscle", "expression": "Expression", "timeline": "Animation"}
 """What actions without a menu are, by the first part of their id."""
 
 
