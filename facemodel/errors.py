@@ -29,3 +29,7 @@ class PaintError(RisoriusError):
 
 class SkullError(RisoriusError):
     """Bone or jaw cannot be placed or chosen as it was asked for; the skull stays as it was."""
+
+
+class AnimationError(RisoriusError):
+    """What happens over time cannot be changed as it was asked for; it stays as it was."""

@@ -9,7 +9,8 @@ import numpy as np
 
 from facemodel.animation.clip import Animation
 from facemodel.animation.curve import SAME_TIME
-from facemodel.animation.editing.selection import Row, Selection, curve_of_row, rows, span
+from facemodel.animation.editing.expressions import expression_keys
+from facemodel.animation.editing.selection import Row, Selection, curve_of_row, rows, span, unlocked
 
 
 @dataclass(frozen=True)
@@ -89,6 +90,21 @@ def reduced(one: Selection, other: Selection) -> Selection:
     """Keys of one selection that are not in the other."""
     found = {row: tuple(place for place in places if place not in other.get(row, ())) for row, places in one.items()}
     return {row: places for row, places in found.items() if places}
+
+
+def changeable(chosen: Chosen, animation: Animation) -> Chosen:
+    """What of a choice can be changed: no keys of locked tracks, and no key expression all of whose keys are such."""
+    if not any(track.locked for track in animation.tracks):
+        return chosen
+    keys = {row: chosen.keys[row] for row in unlocked(animation, chosen.keys)}
+    expressions = frozenset(time for time in chosen.expressions if not _held(animation, time))
+    return replace(chosen, keys=keys, expressions=expressions)
+
+
+def _held(animation: Animation, time: float) -> bool:
+    """Whether a key expression has keys and all of them are locked."""
+    keys = expression_keys(animation, time)
+    return bool(keys) and not unlocked(animation, keys)
 
 
 def all_of(animation: Animation, among: Iterable[Row] | None = None) -> Selection:

@@ -9,6 +9,7 @@ import numpy as np
 
 from app.timeline.chosen import Chosen
 from app.timeline.timeline import Timeline
+from app.timeline.values import refuse_locked
 from facemodel.animation.channels import RIGID
 from facemodel.animation.clip import Animation
 from facemodel.animation.curve import SAME_TIME
@@ -47,10 +48,17 @@ def key_channels(timeline: Timeline, channels: Iterable[str]) -> None:
 
 
 def insert_key(timeline: Timeline, channel: str, time: float) -> None:
-    """A key on the curve of a channel as it runs, so that nothing is seen to change."""
+    """A key on the curve of a channel as it runs, so that nothing is seen to change.
+
+    Raises
+    ------
+    AnimationError
+        If the track is locked.
+    """
     track = timeline.animation.track(channel)
-    if track is None or track.locked:
+    if track is None:
         return
+    refuse_locked(timeline, channel)
     at = max(snapped(time, timeline.rate) if "frames" in timeline.state.snaps else time, 0.0)
     made = with_key(track.curve, at, float(values_of(track.curve, np.array([at]))[0]))
     after = with_track(timeline.animation, replace(track, curve=made))

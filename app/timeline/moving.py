@@ -15,7 +15,7 @@ from facemodel.animation.editing.bulk import SMALLEST_FACTOR, deleted_keys, move
 from facemodel.animation.editing.clipboard import mirrored_keys
 from facemodel.animation.editing.events import changed_events, moved_events, stretched_events, without_events
 from facemodel.animation.editing.expressions import expression_keys
-from facemodel.animation.editing.selection import Selection
+from facemodel.animation.editing.selection import Selection, unlocked
 from facemodel.animation.editing.speech import SHORTEST, with_speech, without_phonemes
 from facemodel.animation.event import Event
 
@@ -70,16 +70,16 @@ def on_other_side(animation: Animation, chosen: Chosen, units: Sequence[ActionUn
 
 
 def riding_expressions(animation: Animation, chosen: Chosen) -> frozenset[float]:
-    """Times of the key expressions that are chosen, or of which every key is."""
+    """Times of the key expressions that are chosen, or of which every key is that is not locked."""
     return chosen.expressions | {
-        each.time
-        for each in animation.expressions
-        if (keys := expression_keys(animation, each.time)) and _within(keys, chosen.keys)
+        each.time for each in animation.expressions if _all_chosen(animation, each.time, chosen.keys)
     }
 
 
-def _within(keys: Selection, chosen: Selection) -> bool:
-    return all(set(places) <= set(chosen.get(row, ())) for row, places in keys.items())
+def _all_chosen(animation: Animation, time: float, chosen: Selection) -> bool:
+    keys = expression_keys(animation, time)
+    free = unlocked(animation, keys)
+    return bool(free) and all(set(keys[row]) <= set(chosen.get(row, ())) for row in free)
 
 
 def _marks_moved(animation: Animation, chosen: Chosen, riding: frozenset[float], way: Way) -> Edited:

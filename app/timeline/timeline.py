@@ -10,7 +10,7 @@ from psygnal import Signal
 
 from app.document import Document
 from app.playback.playhead import Playhead
-from app.timeline.chosen import Chosen, carried
+from app.timeline.chosen import Chosen, carried, changeable
 from app.timeline.clipping import NOTHING_COPIED, Clipping
 from app.timeline.state import TimelineState
 from facemodel.animation.clip import Animation
@@ -72,7 +72,11 @@ class Timeline:
             self.changed.emit(self._state, before)
 
     def choose(self, chosen: Chosen) -> None:
-        """Let the next deed be about other things; a page of parameters that was about the old ones closes."""
+        """Let the next deed be about other things, but for what is locked.
+
+        A page of parameters that was about the old ones closes.
+        """
+        chosen = changeable(chosen, self.animation)
         self.change(chosen=chosen, page="" if chosen != self.chosen else self._state.page)
 
     def edit(self, after: Animation, label: str, gesture: str = "", chosen: Chosen | None = None) -> None:
@@ -93,7 +97,7 @@ class Timeline:
 
     def _follow(self, *_what: object) -> None:
         before, self._known = self._known, self.animation
-        self.change(chosen=carried(self.chosen, before, self._known))
+        self.change(chosen=changeable(carried(self.chosen, before, self._known), self._known))
 
 
 class LiveChange:

@@ -6,6 +6,21 @@ from app.timeline.timeline import Timeline
 from facemodel.animation.channels import RIGID, channel_of
 from facemodel.animation.clip import Animation
 from facemodel.animation.editing.expressions import keyed
+from facemodel.errors import AnimationError
+
+
+def refuse_locked(timeline: Timeline, channel: str) -> None:
+    """Stop what would change a track that is locked.
+
+    Raises
+    ------
+    AnimationError
+        If it is.
+    """
+    track = timeline.animation.track(channel)
+    if track is not None and track.locked:
+        title = channel_of(channel, timeline.document.project.units).title
+        raise AnimationError(f"The track of {title} is locked; open its padlock to change it.")
 
 
 def value_of(timeline: Timeline, channel: str) -> float:
@@ -29,8 +44,15 @@ def written_value(value: float, channel: str) -> str:
 
 
 def with_value(timeline: Timeline, animation: Animation, channel: str, value: float) -> Animation:
-    """An animation in which a channel has a key of a value under the playhead, as far as its range allows."""
+    """An animation in which a channel has a key of a value under the playhead, as far as its range allows.
+
+    Raises
+    ------
+    AnimationError
+        If its track is locked.
+    """
     state, units = timeline.state, timeline.document.project.units
+    refuse_locked(timeline, channel)
     known = channel_of(channel, units)
     kept = min(max(value, known.low), known.high)
     return keyed(animation, timeline.playhead.time, {channel: kept}, units, state.spacing, state.shape)

@@ -110,13 +110,13 @@ def test_copies_leave_what_was_where_it_was(timeline: Timeline) -> None:
     assert timeline.chosen.keys == {("12L", 0): (2,)}
 
 
-def test_a_key_expression_goes_with_its_last_key(timeline: Timeline) -> None:
-    keys = {(name, 0): (place,) for name, place in (("12L", 1), ("12R", 0), ("17", 0), ("head.yaw", 1))}
+def test_a_key_expression_goes_with_the_last_of_its_keys_that_is_not_locked(timeline: Timeline) -> None:
+    keys = {("12L", 0): (1,), ("12R", 0): (0,), ("17", 0): (0,)}
     timeline.choose(Chosen(keys))
     MoveChosen(timeline, 1.0, Spot(1.0)).release(Spot(1.2))
     assert [round(each.time, 6) for each in timeline.animation.expressions] == [1.0]
     timeline.document.undo()
-    timeline.choose(Chosen({**keys, ("20L", 0): (0,)}))
+    timeline.choose(Chosen({**keys, ("head.yaw", 0): (1,)}))
     MoveChosen(timeline, 1.0, Spot(1.0)).release(Spot(1.2))
     assert [round(each.time, 6) for each in timeline.animation.expressions] == [1.2]
 

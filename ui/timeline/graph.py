@@ -71,7 +71,7 @@ class Graph(TimeCanvas):
                     chosen = Chosen({curve.row: (key,)})
                     return Hit("handle", chosen=chosen, place=key, at_end=ahead)
         best: tuple[float, Hit] | None = None
-        for curve in self.curves:
+        for curve in (each for each in self.curves if not each.track.locked):
             for key, at in key_places(pane, curve, self.values):
                 away = (at - place).manhattanLength()
                 if away <= FINGER + 2 and (best is None or away < best[0]):

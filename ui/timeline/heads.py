@@ -11,6 +11,7 @@ from app.timeline.gestures.values import DragValue
 from app.timeline.lines import Line
 from app.timeline.switches import flip_fold, flip_switch, switches_of
 from app.timeline.values import key_value, value_of, value_text
+from facemodel.errors import RisoriusError
 from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID
 from ui.timeline.hands import Grip, Hands
@@ -224,7 +225,10 @@ class Heads(QWidget):
 
     def _enter(self, line: Line, value: float) -> None:
         self._close_editor()
-        key_value(self._timeline, line.channel, value)
+        try:
+            key_value(self._timeline, line.channel, value)
+        except RisoriusError as error:
+            self.failed.emit(str(error))
 
     def _close_editor(self) -> None:
         editor, self._editor = self._editor, None

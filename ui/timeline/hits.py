@@ -15,7 +15,7 @@ from app.timeline.lines import Line, clips_of, rows_of
 from facemodel.animation.curve import SAME_TIME
 from facemodel.animation.displacement import regions
 from facemodel.animation.editing.expressions import expression_keys
-from facemodel.animation.editing.selection import Row, curve_of_row, selected
+from facemodel.animation.editing.selection import Row, curve_of_row, selected, unlocked
 from facemodel.animation.event import Event
 from ui.timeline.paint.events import EventScale, clip_body, events_of, handles, parts_by_closeness
 from ui.timeline.paint.expressions import PORTRAIT
@@ -84,11 +84,12 @@ def _expression(pane: Pane, line: Line, area: QRectF, at: QPointF) -> Hit | None
 
 
 def _keys(pane: Pane, line: Line, _area: QRectF, at: QPointF) -> Hit | None:
-    """The nearest key within a finger's width, or all keys of a sum at its time."""
-    time = nearest_key(pane, rows_of(line, pane.animation), at.x())
+    """The nearest key within a finger's width that is not locked, or all such keys of a sum at its time."""
+    rows = unlocked(pane.animation, rows_of(line, pane.animation))
+    time = nearest_key(pane, rows, at.x())
     if time is None:
         return None
-    keys = selected(pane.animation, time, time, rows_of(line, pane.animation))
+    keys = selected(pane.animation, time, time, rows)
     return Hit("keys", line, Chosen(keys), time)
 
 
@@ -173,7 +174,7 @@ def inside(pane: Pane, line: Line, area: QRectF, box: QRectF) -> Chosen:
     """What of a line lies in a box: keys by their time, events and sounds by any part of theirs."""
     start, end = pane.scale.time(box.left()), pane.scale.time(box.right())
     if line.kind in ("track", "layer", "group"):
-        return Chosen(selected(pane.animation, start, end, rows_of(line, pane.animation)))
+        return Chosen(selected(pane.animation, start, end, unlocked(pane.animation, rows_of(line, pane.animation))))
     if line.kind == "expressions":
         times = [each.time for each in pane.animation.expressions if start <= each.time <= end]
         found = Chosen(expressions=frozenset(times))

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from app.timeline.keying import insert_key
 from app.timeline.state import TimelineState
 from app.timeline.switches import flip_clips
+from facemodel.errors import RisoriusError
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
 from ui.timeline.empty_hint import EmptyHint
@@ -154,11 +155,17 @@ class TimelinePanel(QWidget):
         """A double click: a key on an empty place of a track, else the fields about what is there."""
         line = found.line
         if found.kind == "nothing" and line is not None and line.kind == "track":
-            insert_key(self._timeline, line.channel, time)
+            self._insert_key(line.channel, time)
         elif found.kind == "clip":
             flip_clips(self._timeline, found.chosen.events)
         elif found.chosen:
             self._timeline.change(fields=True)
+
+    def _insert_key(self, channel: str, time: float) -> None:
+        try:
+            insert_key(self._timeline, channel, time)
+        except RisoriusError as error:
+            self.failed.emit(str(error))
 
     def _open_moment(self, time: float) -> None:
         """A double click on the strip of marks: a marker there."""

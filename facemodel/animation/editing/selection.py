@@ -34,6 +34,12 @@ def curve_of_row(animation: Animation, row: Row) -> Curve:
     return track.curve if row[1] == 0 else track.layers[row[1] - 1].keys
 
 
+def unlocked(animation: Animation, among: Iterable[Row]) -> tuple[Row, ...]:
+    """Those of some rows whose keys can be changed: all but the rows of locked tracks."""
+    locked = {track.channel for track in animation.tracks if track.locked}
+    return tuple(row for row in among if row[0] not in locked)
+
+
 def with_row(track: Track, row: int, curve: Curve) -> Track:
     """A track with other keys in one of its rows."""
     if row == 0:

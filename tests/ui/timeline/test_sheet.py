@@ -76,7 +76,7 @@ def test_a_key_expression_is_dragged_with_its_keys(stage: Stage) -> None:
     (mark,) = stage.animation.expressions
     assert mark.time == pytest.approx(1.3, abs=0.02)
     assert stage.curve("17").times[0] == mark.time
-    assert stage.steps == ("Move 5 keys",)
+    assert stage.steps == ("Move 4 keys",)
 
 
 def test_a_double_click_on_a_curve_inserts_a_key(stage: Stage) -> None:

@@ -130,7 +130,7 @@ def _paint_keys(painter: QPainter, pane: Pane, curve: GraphCurve, values: ValueS
         painter.drawEllipse(end, HANDLE, HANDLE)
     for place, at in own.items():
         if place not in chosen:
-            paint_key(painter, at.x(), at.y(), False, pane)
+            paint_key(painter, at.x(), at.y(), False, pane, locked=curve.track.locked)
     for place, at in own.items():
         if place in chosen:
             paint_key(painter, at.x(), at.y(), True, pane, 5.2)

@@ -94,10 +94,12 @@ def diamond(x: float, y: float, size: float = KEY) -> QPolygonF:
     return QPolygonF([QPointF(x, y - size), QPointF(x + size, y), QPointF(x, y + size), QPointF(x - size, y)])
 
 
-def paint_key(painter: QPainter, x: float, y: float, chosen: bool, pane: Pane, size: float = KEY) -> None:
-    """One key; the pen is left changed."""
+def paint_key(
+    painter: QPainter, x: float, y: float, chosen: bool, pane: Pane, size: float = KEY, locked: bool = False
+) -> None:
+    """One key; a locked one recedes. The pen is left changed."""
     theme = pane.theme
-    fill = QColor(theme.accent) if chosen else key_colour(pane)
+    fill = QColor(theme.accent) if chosen else blend(pane.ground, theme.muted, 0.4) if locked else key_colour(pane)
     painter.setPen(QPen(blend(pane.ground, "#000000" if theme.name == "dark" else "#ffffff", 0.65), 1.0))
     painter.setBrush(fill)
     painter.drawPolygon(diamond(x, y, size))

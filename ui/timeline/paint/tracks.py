@@ -13,7 +13,7 @@ from facemodel.animation.captured import displacement
 from facemodel.animation.channels import channel_of
 from facemodel.animation.curve import Curve
 from facemodel.animation.displacement import Splines, regions
-from facemodel.animation.editing.selection import Row, curve_of_row
+from facemodel.animation.editing.selection import Row, curve_of_row, unlocked
 from facemodel.animation.keyed import values_of
 from facemodel.animation.track import Track
 from fem.types import FloatArray
@@ -126,18 +126,19 @@ class TrackPainter:
 def paint_keys(painter: QPainter, pane: Pane, rows: tuple[Row, ...], area: QRectF, size: float = 4.6) -> None:
     """Keys of some rows in one line: those of a row, or the sum of several."""
     inner = area.height() / 2 + area.y()
-    plain: set[int] = set()
-    marked: set[int] = set()
+    held, free, marked = set[int](), set[int](), set[int]()
+    changeable = unlocked(pane.animation, rows)
     for row in rows:
         curve = curve_of_row(pane.animation, row)
         marked |= _columns(pane, curve, np.array(pane.chosen.keys.get(row, ()), dtype=np.int64))
-        plain |= _columns(pane, curve, np.arange(len(curve)))
-    if len(plain) > MOST_KEYS * pane.width:
-        _paint_crowd(painter, pane, plain - marked, inner)
-        plain = set()
+        seen = free if row in changeable else held
+        seen |= _columns(pane, curve, np.arange(len(curve)))
+    if len(held | free) > MOST_KEYS * pane.width:
+        _paint_crowd(painter, pane, (held | free) - marked, inner)
+        held, free = set(), set()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    for x in sorted(plain - marked):
-        paint_key(painter, x, inner, False, pane, size)
+    for x in sorted((held | free) - marked):
+        paint_key(painter, x, inner, False, pane, size, x not in free)
     for x in sorted(marked):
         paint_key(painter, x, inner, True, pane, size)
 
