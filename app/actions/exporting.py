@@ -61,6 +61,7 @@ EXPORT_ACTIONS = (
             f"{export.title} ({suffix})…",
             lambda context, suffix=suffix: _export(context, suffix),  # type: ignore[misc]
             menu=("File", "Export"),
+            group=2,
             shortcut="Ctrl+E" if suffix == ".glb" else "",
             hint=f"Write {export.holds}",
             enabled=_solved,
@@ -72,7 +73,7 @@ EXPORT_ACTIONS = (
         "Animation…",
         lambda context: context.host.show_export(),
         menu=("File", "Export"),
-        group=1,
+        group=3,
         shortcut="Ctrl+Shift+E",
         hint="Film the animation, or write it as glTF, USD or numbered meshes",
     ),

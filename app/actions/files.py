@@ -130,16 +130,17 @@ def _save_as(context: Context) -> None:
     save_as(context)
 
 
+OPEN = Action(
+    "file.open",
+    "Open…",
+    _open,
+    menu=("File",),
+    shortcut="Ctrl+O",
+    hint="Open a project from a file",
+    toolbar=True,
+)
+
 FILE_ACTIONS = (
-    Action(
-        "file.open",
-        "Open…",
-        _open,
-        menu=("File",),
-        shortcut="Ctrl+O",
-        hint="Open a project from a file",
-        toolbar=True,
-    ),
     Action(
         "file.save",
         "Save",
@@ -167,7 +168,7 @@ FILE_ACTIONS = (
         "Quit",
         lambda context: context.host.quit(),
         menu=("File",),
-        group=3,
+        group=4,
         shortcut="Ctrl+Q",
         hint="Close Risorius",
     ),

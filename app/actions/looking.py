@@ -48,13 +48,6 @@ LOOKING_ACTIONS = (
     *(_view(view) for view in VIEW_TITLES),
     _shown("perspective", "Perspective", "5", "Near things look larger; off for a parallel projection", group=1),
     _shown("turntable", "Turntable", "T", "Turn the head slowly", group=1),
-    _shown(
-        "linear",
-        "Pure linear sum",
-        "",
-        "Leave out what is not linear: the arc of the jaw, lids on the eyeball, lips on each other and on the teeth",
-        group=1,
-    ),
     Action(
         "view.head",
         "Whole head",
@@ -79,4 +72,11 @@ LOOKING_ACTIONS = (
     _shown("supports", "Supports", "P", "Mark where the skin is held"),
     _shown("wireframe", "Wireframe", "W", "Draw the edges of the finite elements"),
     _shown("influence", "Influence", "I", "Colour the skin by how strongly the selected muscle pulls there"),
+    _shown(
+        "linear",
+        "Pure linear sum",
+        "",
+        "Leave out what is not linear: the arc of the jaw, lids on the eyeball, lips on each other and on the teeth",
+        group=4,
+    ),
 )

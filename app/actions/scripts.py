@@ -46,6 +46,6 @@ RUN_SCRIPT = Action(
     "Run script…",
     _run,
     menu=("File",),
-    group=2,
+    group=3,
     hint="Run a Python script of your own on this project, as one step that can be undone",
 )

@@ -9,7 +9,7 @@ from app.actions.content import content_actions
 from app.actions.context import Context
 from app.actions.edit import EDIT_ACTIONS
 from app.actions.examples import EXAMPLE_ACTIONS
-from app.actions.files import FILE_ACTIONS, bare_actions, new_actions, recent_actions
+from app.actions.files import FILE_ACTIONS, OPEN, bare_actions, new_actions, recent_actions
 from app.actions.looking import LOOKING_ACTIONS
 from app.actions.solving import SOLVING_ACTIONS, face_actions
 from app.actions.window import WINDOW_ACTIONS
@@ -17,7 +17,8 @@ from app.actions.window import WINDOW_ACTIONS
 MENUS = ("File", "Edit", "View", "Face", "Animation", "Solve", "Window", "Help")
 """The menu bar, from left to right."""
 
-QUIT = "file.quit"
+LATE = (("File", "Import"), ("File", "Export"), "file.screenshot", "file.run-script", "file.quit")
+"""Submenus and actions that end a menu, in this order, whichever table they come from."""
 
 
 def all_actions(context: Context) -> tuple[Action, ...]:
@@ -25,6 +26,7 @@ def all_actions(context: Context) -> tuple[Action, ...]:
     return (
         *new_actions(),
         *bare_actions(),
+        OPEN,
         *recent_actions(context),
         *EXAMPLE_ACTIONS,
         *FILE_ACTIONS,
@@ -38,5 +40,10 @@ def all_actions(context: Context) -> tuple[Action, ...]:
 
 
 def in_order(actions: Iterable[Action]) -> tuple[Action, ...]:
-    """Actions of several tables in one; what quits stays the last entry of its menu."""
-    return tuple(sorted(actions, key=lambda action: action.id == QUIT))
+    """Actions of several tables in one; what ends a menu stays at its end."""
+    return tuple(sorted(actions, key=_lateness))
+
+
+def _lateness(action: Action) -> int:
+    """Where an action stands among those that end a menu, from 1 on; 0 of all others."""
+    return next((place for place, late in enumerate(LATE, 1) if late in (action.id, action.menu[:2])), 0)

@@ -12,6 +12,7 @@ from app.actions import (
     state_signals,
     table_signals,
 )
+from app.actions.table import in_order
 from app.palette import typed_expression
 from app.playback import Playhead
 from app.timeline.actions import timeline_actions
@@ -45,6 +46,18 @@ def test_every_menu_has_something_and_its_groups_stand_together(context: Context
         groups = [action.group for action in (*all_actions(context), *of_timeline) if action.menu == (menu,)]
         assert groups == sorted(groups), menu
         assert groups or menu == "File", menu
+
+
+def test_the_file_menu_goes_from_what_begins_to_what_ends(context: Context) -> None:
+    importing = Action("timeline.import", "Weights over time…", lambda _: None, menu=("File", "Import"), group=2)
+    actions = in_order((*all_actions(context), importing))
+    entries = [action.menu[1] if len(action.menu) > 1 else action.title for action in actions if "File" in action.menu]
+    assert list(dict.fromkeys(entries)) == [
+        *("New", "New bare head", "Open…", "Examples"),
+        *("Save", "Save as…"),
+        *("Import", "Export", "Save picture…"),
+        *("Run script…", "Quit"),
+    ]
 
 
 def test_every_action_can_be_done(context: Context, desk: Desk, file: Path) -> None:

@@ -62,7 +62,7 @@ SCULPT_ACTIONS = (
         "Mirror action unit",
         turn_over,
         menu=MENU,
-        group=1,
+        group=4,
         hint="Let it do on the right what it did on the left, and the other way round: jaw and what is sculpted",
         enabled=_turns,
     ),

@@ -93,21 +93,21 @@ def skull_actions(bench: Bench) -> tuple[Action, ...]:
         return lambda context: deed(context, bench)
 
     return (
-        Action("skull.import", "Import skull…", at(import_skull), MENU, 1, hint=IMPORT_HINT),
+        Action("skull.import", "Import skull…", at(import_skull), MENU, 0, hint=IMPORT_HINT),
         Action(
             "skull.template",
             "Template skull",
             use_template,
             MENU,
-            1,
+            0,
             hint=TEMPLATE_HINT,
             enabled=other,
         ),
-        Action("skull.snap", "Snap to tissue depths", at(snap), MENU, 2, hint=SNAP_HINT),
-        Action("skull.reset", "Reset skull", reset, MENU, 2, hint=RESET_HINT, enabled=moved),
-        Action("skull.propose-jaw", "Propose jaw", at(propose_jaw), MENU, 3, hint=PROPOSE_HINT),
-        Action("skull.select-jaw", "Select jaw", at(select_jaw), MENU, 3, hint="Select the bone that is jaw now"),
-        Action("skull.make-jaw", "Make it the jaw", at(make_jaw), MENU, 3, hint=MAKE_HINT, enabled=chosen),
+        Action("skull.snap", "Snap to tissue depths", at(snap), MENU, 1, hint=SNAP_HINT),
+        Action("skull.reset", "Reset skull", reset, MENU, 1, hint=RESET_HINT, enabled=moved),
+        Action("skull.propose-jaw", "Propose jaw", at(propose_jaw), MENU, 2, hint=PROPOSE_HINT),
+        Action("skull.select-jaw", "Select jaw", at(select_jaw), MENU, 2, hint="Select the bone that is jaw now"),
+        Action("skull.make-jaw", "Make it the jaw", at(make_jaw), MENU, 2, hint=MAKE_HINT, enabled=chosen),
     )
 
 
