@@ -79,7 +79,7 @@ class TimelineDesk(QObject):
         document, playhead, deliver = view.timeline.document, view.timeline.playhead, UiThread(self).deliver
         self.sounds = SoundShelf(document, deliver)
         self.accompaniment = Accompaniment(document, playhead)
-        dialogs = TimelineDialogs(viewport.window(), self.timeline, context, self.sounds)
+        dialogs = TimelineDialogs(viewport.window(), self.timeline, context, self.sounds, lambda: self.dock.open())
         self.exchange = Exchange(self.timeline, context, dialogs, deliver)
         self.painter = LinePainter(KeyPortraits(self.timeline, portraits).picture)
         portraits.taken.connect(lambda _name: self.painter.refreshed.emit())

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from app.actions.context import Context, FileQuestion
@@ -27,16 +29,28 @@ class TimelineDialogs:
     timeline : what they are about
     context : services of the window
     shelf : where the sound is
+    unfold : brings the timeline into view
     """
 
-    def __init__(self, parent: QWidget, timeline: Timeline, context: Context, shelf: SoundShelf) -> None:
+    def __init__(
+        self,
+        parent: QWidget,
+        timeline: Timeline,
+        context: Context,
+        shelf: SoundShelf,
+        unfold: Callable[[], None],
+    ) -> None:
         self._parent, self._timeline, self._context, self._shelf = parent, timeline, context, shelf
+        self._unfold = unfold
 
     def map_capture(self, capture: Capture, path: Path) -> None:
         """Show how the channels of a capture become those of the face, and take it in when that is settled."""
         page = MappingPage(self._parent, self._timeline, self._context.host, capture, path)
-        if page.exec():
-            self._context.host.show_message(f"Imported {path.name}: {page.notes.text()}")
+        self._unfold()
+        page.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        page.accepted.connect(lambda: self._context.host.show_message(f"Imported {path.name}: {page.notes.text()}"))
+        page.show()
+        self._context.host.show_message(f"Scrub or play to see what {path.name} does; “Import” takes it in")
 
     def type_speech(self) -> None:
         """Let words or sounds be typed."""

@@ -41,6 +41,9 @@ START = NumberScale(0.0, 60.0, 0.0, "s", bend=2.0)
 class MappingPage(QDialog):
     """Asks how a capture is to be taken in; until it is closed the timeline shows it as a preview.
 
+    The window stays in reach, so that one can scrub and play meanwhile.  Whoever changes the project there takes the
+    capture in as it is seen.
+
     Parameters
     ----------
     timeline : what it comes into
@@ -54,6 +57,7 @@ class MappingPage(QDialog):
         project = timeline.document.project
         self._live = LiveChange(timeline, f"Import {path.name}")
         self._base = project
+        self._showing = False
         self.table = MappingTable(_rows_of(capture), capture, project.units)
         self.setWindowTitle("Import weights over time")
         self.resize(86 * GRID, 64 * GRID)
@@ -69,8 +73,9 @@ class MappingPage(QDialog):
         self.table.edited.connect(lambda _mapping: self._timer.start())
         self.smoothing.previewed.connect(lambda _value: self._timer.start())
         self.start.previewed.connect(lambda _value: self._timer.start())
-        self.rejected.connect(self._live.cancel)
         self.preview()
+        timeline.document.history_changed.connect(self._settle)
+        timeline.document.project_changed.connect(self._settle)
 
     @property
     def mapping(self) -> Mapping:
@@ -79,16 +84,20 @@ class MappingPage(QDialog):
         return Mapping(own.name, own.rows, self.smoothing.value)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Stand at the right, so that the face can be seen to move."""
+        """Stand at the upper right, so that the face and the timeline can be seen to move."""
         super().showEvent(event)
         home = self.parentWidget().window().frameGeometry()
-        self.move(home.right() - self.width() - 2 * GRID, home.center().y() - self.height() // 2)
+        self.move(home.right() - self.width() - 2 * GRID, home.top() + 5 * GRID)
 
     def preview(self) -> None:
         """Show what the capture looks like on this face."""
         self._timer.stop()
         found: Imported = with_capture(self._base, self._capture, self.mapping, self.start.value)
-        self._live.show(found.project.animation)
+        self._showing = True
+        try:
+            self._live.show(found.project.animation)
+        finally:
+            self._showing = False
         tracks = sum(track.captured is not None for track in found.project.animation.tracks)
         self.notes.setText("  ".join((f"{tracks} channels move.", *found.notes)))
 
@@ -96,6 +105,21 @@ class MappingPage(QDialog):
         """Take it in as it is seen."""
         self.preview()
         super().accept()
+
+    def done(self, how: int) -> None:
+        """Close; what was not taken in goes."""
+        self._timer.stop()
+        document = self._timeline.document
+        document.history_changed.disconnect(self._settle)
+        document.project_changed.disconnect(self._settle)
+        if how != QDialog.DialogCode.Accepted:
+            self._live.cancel()
+        super().done(how)
+
+    def _settle(self, *_what: object) -> None:
+        """The project was changed elsewhere: what is seen of the capture stays, and the change stands over it."""
+        if not self._showing:
+            self.done(QDialog.DialogCode.Accepted)
 
     def load(self) -> None:
         """Ask for a table and use it."""
@@ -164,6 +188,7 @@ class MappingPage(QDialog):
         view.verticalHeader().hide()
         view.verticalHeader().setDefaultSectionSize(ROW)
         head = view.horizontalHeader()
+        head.setHighlightSections(False)
         head.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         head.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         head.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)

@@ -1,0 +1,150 @@
+"""A capture is looked at before it is taken in: the table is typed into while face and timeline follow."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLineEdit, QWidget
+from pytestqt.qtbot import QtBot
+
+from app.document import Document
+from facemodel.animation.clip import STILL
+from facemodel.animation.samples import Samples
+from ui.timeline.dialogs.mapping_page import MappingPage
+from ui.widgets.number_edit import NumberEdit
+from ui.window.main_window import MainWindow
+
+LEFT = Qt.MouseButton.LeftButton
+GAIN, TARGET, CAP = 2, 1, 4
+
+PEAK = 1.0
+"""Seconds at which the smile of the capture is broadest, 4 of 5."""
+
+
+@pytest.fixture
+def capture(tmp_path: Path) -> Path:
+    """A smile that comes and goes within two seconds, as OpenFace writes one."""
+    file = tmp_path / "smile.csv"
+    lines = ["frame, timestamp, confidence, success, AU12_r, AU25_r"]
+    lines += [f"{k + 1}, {k / 30:.4f}, 0.98, 1, {4.0 * (1 - abs(k / 30 - PEAK)):.4f}, 0.5" for k in range(61)]
+    file.write_text("\n".join(lines) + "\n")
+    return file
+
+
+@pytest.fixture
+def page(window: MainWindow, capture: Path, qtbot: QtBot) -> MappingPage:
+    window.timeline.exchange.read_capture(capture)
+    qtbot.waitUntil(lambda: window.findChild(MappingPage) is not None)
+    page = window.findChild(MappingPage)
+    qtbot.waitExposed(page)
+    scrub(window, PEAK)
+    return page
+
+
+def scrub(window: MainWindow, time: float) -> None:
+    ruler = window.timeline.panel.ruler
+    place = QPoint(round(window.timeline.view.scale.x(time)), 8)
+    QTest.mouseClick(ruler, LEFT, Qt.KeyboardModifier.NoModifier, place)
+
+
+def enter(editor: QLineEdit, text: str) -> None:
+    editor.selectAll()
+    QTest.keyClick(editor, Qt.Key.Key_Delete)
+    QTest.keyClicks(editor, text)
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+
+
+def type_cell(page: MappingPage, column: int, text: str, qtbot: QtBot) -> None:
+    """Double-click a cell of the row of the smile and type."""
+    row = next(k for k, each in enumerate(page.table.mapping.rows) if each.source == "AU12_r")
+    page.activateWindow()
+    qtbot.waitUntil(page.isActiveWindow)
+    page.view.scrollTo(page.table.index(row, column))
+    place = page.view.visualRect(page.table.index(row, column)).center()
+    QTest.mouseClick(page.view.viewport(), LEFT, Qt.KeyboardModifier.NoModifier, place)
+    QTest.mouseDClick(page.view.viewport(), LEFT, Qt.KeyboardModifier.NoModifier, place)
+    enter(page.view.findChild(QLineEdit), text)
+
+
+def smile(document: Document) -> float:
+    return document.shown.get("12L", 0.0)
+
+
+def captured(document: Document, channel: str = "12L") -> Samples:
+    track = document.project.animation.track(channel)
+    assert track is not None
+    assert track.captured is not None
+    return track.captured
+
+
+def push(button: QWidget) -> None:
+    QTest.mouseClick(button, LEFT)
+
+
+def test_the_face_is_scrubbed_while_the_table_is_open(
+    window: MainWindow, page: MappingPage, document: Document
+) -> None:
+    assert not window.timeline.dock.is_folded
+    broad = smile(document)
+    assert broad == pytest.approx(0.8, abs=0.05)
+    scrub(window, 0.3)
+    assert 0.1 < smile(document) < 0.5 * broad
+    assert page.isVisible()
+
+
+def test_a_typed_gain_and_cap_are_seen_on_the_face(page: MappingPage, document: Document, qtbot: QtBot) -> None:
+    type_cell(page, GAIN, "0.2/2", qtbot)
+    qtbot.waitUntil(lambda: smile(document) == pytest.approx(0.4, abs=0.03))
+    type_cell(page, CAP, "0.25", qtbot)
+    qtbot.waitUntil(lambda: smile(document) == pytest.approx(0.25, abs=0.01))
+    type_cell(page, CAP, "", qtbot)
+    qtbot.waitUntil(lambda: smile(document) == pytest.approx(0.4, abs=0.03))
+    type_cell(page, GAIN, "much", qtbot)
+    assert next(row for row in page.table.mapping.rows if row.source == "AU12_r").gain == pytest.approx(0.1)
+
+
+def test_another_target_moves_something_else(page: MappingPage, document: Document, qtbot: QtBot) -> None:
+    type_cell(page, TARGET, "20", qtbot)
+    qtbot.waitUntil(lambda: document.shown.get("20L", 0.0) > 0.7)
+    assert smile(document) == 0.0
+    assert document.project.animation.track("12L") is None
+    type_cell(page, TARGET, "wagging ears", qtbot)
+    qtbot.waitUntil(lambda: "AU12_r" in page.notes.text())
+
+
+def test_smoothing_rounds_the_peak_off(page: MappingPage, document: Document, qtbot: QtBot) -> None:
+    sharp = captured(document).values.max()
+    bar = page.smoothing
+    QTest.mouseDClick(bar, LEFT, Qt.KeyboardModifier.NoModifier, bar.rect().center())
+    enter(bar.findChild(NumberEdit), "0.3")
+    qtbot.waitUntil(lambda: captured(document).values.max() < 0.85 * sharp)
+    assert page.mapping.smoothing == pytest.approx(0.3)
+
+
+def test_all_of_it_is_one_step_and_cancel_leaves_nothing(page: MappingPage, document: Document, qtbot: QtBot) -> None:
+    type_cell(page, GAIN, "0.1", qtbot)
+    qtbot.waitUntil(lambda: smile(document) < 0.5)
+    QTest.keyClick(page, Qt.Key.Key_Escape)
+    assert document.history.done == ()
+    assert document.project.animation is STILL or not document.project.animation.tracks
+
+
+def test_import_takes_it_in_as_it_was_last_typed(page: MappingPage, document: Document, qtbot: QtBot) -> None:
+    type_cell(page, GAIN, "0.05", qtbot)
+    push(page.take_in)
+    assert captured(document).values.max() == pytest.approx(0.2, abs=0.02)
+    assert document.history.done == ("Import smile.csv",)
+    document.undo()
+    assert not document.project.animation.tracks
+
+
+def test_a_change_elsewhere_takes_the_capture_in(window: MainWindow, page: MappingPage, document: Document) -> None:
+    gone: list[int] = []
+    page.finished.connect(gone.append)
+    document.set_weights({"17": 0.5}, "Chin")
+    assert gone == [MappingPage.DialogCode.Accepted]
+    assert document.history.done == ("Import smile.csv", "Chin")
+    document.undo()
+    document.undo()
+    assert not document.project.animation.tracks
