@@ -24,11 +24,12 @@ from ui.timeline.inspector.curves_page import CurvesPage
 from ui.timeline.inspector.event_page import EventPage
 from ui.timeline.inspector.inspector import Inspector, Make
 from ui.timeline.inspector.keys_page import KeysPage
-from ui.timeline.inspector.layer_page import LayerPage, TrackPage
+from ui.timeline.inspector.layer_page import LayerPage
 from ui.timeline.inspector.life_page import LifePage
 from ui.timeline.inspector.marks_pages import ExpressionPage, MarkerPage, RangePage
 from ui.timeline.inspector.sound_page import audio_page
 from ui.timeline.inspector.speech_page import SoundPage, SpeechFields
+from ui.timeline.inspector.track_page import TrackPage
 from ui.timeline.key_portraits import KeyPortraits
 from ui.timeline.line_paint import LinePainter
 from ui.timeline.paint.sound import SoundPainter

@@ -1,20 +1,17 @@
-"""Fields about a displacement layer and about a track as a whole."""
+"""Fields about a displacement layer."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QComboBox, QInputDialog
-
 from app.timeline.chosen import Chosen
-from app.timeline.layers import add_layer, bake_layers, remove_layer
+from app.timeline.layers import bake_layers, remove_layer
 from app.timeline.moving import Edited
 from app.timeline.readings import Reading
 from app.timeline.timeline import Timeline
 from facemodel.animation.clip import Animation
 from facemodel.animation.displacement import Displacement
 from facemodel.animation.editing.layers import with_layer_changed
-from facemodel.animation.editing.tracks import flagged
 from ui.timeline.inspector.clip_page import SPACING
 from ui.timeline.inspector.field import FieldBar
 from ui.timeline.inspector.marks_pages import NameLine
@@ -61,53 +58,3 @@ class LayerPage(Page):
     def _rename(self, name: str) -> None:
         made = with_layer_changed(self.timeline.animation, self._channel, self._number, name=name)
         self.timeline.edit(made, "Rename layer")
-
-
-class TrackPage(Page):
-    """A track as a whole."""
-
-    def __init__(self, timeline: Timeline) -> None:
-        (line,) = timeline.state.lines
-        self._channel = line.removeprefix("track ")
-        super().__init__(timeline, "Track")
-        self.what = self.caption("")
-        self.group = QComboBox()
-        self.group.setAccessibleName("Group")
-        self.group.activated.connect(self._take_group)
-        self.add(self.group)
-        track = timeline.animation.track(self._channel)
-        if track is not None and track.captured is not None:
-            self.gap()
-            self.add(
-                push_button("Add layer", lambda: add_layer(timeline, self._channel), "A layer that keys can bend"),
-                push_button("Bake", lambda: bake_layers(timeline, [self._channel]), "Make layers part of the capture"),
-            )
-        self.refresh()
-
-    def refresh(self) -> None:
-        """Say what it is made of."""
-        track = self.timeline.animation.track(self._channel)
-        if track is None:
-            return
-        parts = [f"{len(track.curve)} keys"] if len(track.curve) else []
-        if track.captured is not None:
-            parts.append(f"{len(track.captured.values):,} samples at {track.captured.rate:g} Hz")
-        if track.layers:
-            parts.append(f"{len(track.layers)} layers")
-        self.what.setText(" · ".join(parts) or "Nothing yet")
-        groups = sorted({each.group for each in self.timeline.animation.tracks if each.group})
-        self.group.clear()
-        self.group.addItem("Group of the face", "")
-        for name in groups:
-            self.group.addItem(name, name)
-        self.group.addItem("New group…", None)
-        self.group.setCurrentIndex(max(self.group.findData(track.group), 0))
-
-    def _take_group(self, place: int) -> None:
-        name = self.group.itemData(place)
-        if name is None:
-            name, taken = QInputDialog.getText(self, "New group", "Name of the group")
-            if not taken or not name.strip():
-                self.refresh()
-                return
-        self.timeline.edit(flagged(self.timeline.animation, [self._channel], group=name.strip()), "Group track")

@@ -71,7 +71,7 @@ class RangePage(Page):
         for label, is_end in (("Start", False), ("End", True)):
             self.add(TimeBar(timeline, label, self._read(is_end), self._write(is_end)))
         self.gap()
-        self.add(push_button("Play this range", self._play, "Make this range what is played"))
+        self.add(push_button("Play this range", self._play, "Make this range what is played, and play it"))
 
     @property
     def _range(self) -> NamedRange | None:
@@ -104,6 +104,8 @@ class RangePage(Page):
         each = self._range
         if each is not None:
             self.timeline.edit(replace(self.timeline.animation, start=each.start, end=each.end), "Play range")
+            self.timeline.playhead.go(each.start)
+            self.timeline.playhead.play()
 
 
 def _named(animation: Animation, name: str) -> NamedRange | None:

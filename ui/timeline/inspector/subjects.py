@@ -26,6 +26,8 @@ def subject_of(timeline: Timeline) -> str:
         return f"marker {state.style} {sorted(chosen.markers)}"
     if chosen.ranges:
         return f"range {state.style} {sorted(chosen.ranges)}"
+    if len(state.lines) > 1 and all(line.startswith("track ") for line in state.lines):
+        return f"track {state.style} {sorted(state.lines)}"
     if len(state.lines) == 1:
         (line,) = state.lines
         kind = line.partition(" ")[0]
