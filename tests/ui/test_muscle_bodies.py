@@ -9,6 +9,9 @@ from facemodel.muscles.models import MODELS
 from facemodel.projects import new_project
 from ui.viewport.overlays.bands import Band, band
 
+OUTSIDE = 0.04
+"""Share of a body that may look out: the levator of a lid ends in a lid that is no thicker than it."""
+
 
 @pytest.fixture(scope="module")
 def bodies():
@@ -26,7 +29,7 @@ def test_bodies_lie_under_the_skin(bodies):
     for key, (_, body) in laid.items():
         points = body.points.reshape(-1, 3)
         assert np.isfinite(points).all(), key
-        assert outside_head(project.face, points).mean() < 0.02, key
+        assert outside_head(project.face, points).mean() < OUTSIDE, key
 
 
 def test_a_body_ends_at_the_ends_of_its_fibres(bodies):

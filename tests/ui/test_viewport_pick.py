@@ -38,7 +38,7 @@ def test_the_nearer_of_two_sheets_is_hit() -> None:
     assert hit.place[2] == pytest.approx(2.0)
 
 
-@pytest.mark.parametrize("name", ["nose_tip", "pogonion", "cheek_L", "cheek_R", "glabella", "lower_vermilion"])
+@pytest.mark.parametrize("name", ["nose_tip", "pogonion", "cheek_L", "cheek_R", "glabella", "upper_vermilion"])
 @pytest.mark.parametrize("pose", [{}, OPEN], ids=["neutral", "open"])
 def test_a_landmark_is_picked_where_it_is_seen_in_any_pose(name: str, pose: dict[str, float]) -> None:
     project, _ = sitter()
@@ -70,7 +70,7 @@ def test_the_backdrop_is_nothing() -> None:
     assert scene.muscle_at(3, 3) is None
 
 
-@pytest.mark.parametrize(("place", "group"), [("brow_mid", "brow"), ("pogonion", "chin")])
+@pytest.mark.parametrize(("place", "group"), [("brow_inner", "brow"), ("pogonion", "chin")])
 def test_the_muscle_under_the_pointer_is_one_that_pulls_there(place: str, group: str) -> None:
     project, _ = sitter()
     scene = studio().scene

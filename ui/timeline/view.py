@@ -41,7 +41,7 @@ class TimelineView(QObject):
         self.width, self.height = 800, 200
         self.top = 0
         self.scale = TimeScale()
-        self._fitted = False
+        self._whole = True
         self._track_height = HEIGHTS["track"]
         self.layout = RowLayout(())
         self._lay_out()
@@ -69,7 +69,7 @@ class TimelineView(QObject):
     def see(self, scale: TimeScale) -> None:
         """See another stretch of time."""
         if scale != self.scale:
-            self.scale = scale
+            self.scale, self._whole = scale, False
             self.moved.emit()
 
     def scroll(self, top: float) -> None:
@@ -88,10 +88,9 @@ class TimelineView(QObject):
             self.content.emit()
 
     def resize(self, width: int, height: int) -> None:
-        """Have so many pixels; the first time all that is played is brought into view."""
+        """Have so many pixels; until another stretch is chosen, all that is played stays in view."""
         self.width, self.height = max(width, 1), max(height, 1)
-        if not self._fitted and width > 1:
-            self._fitted = True
+        if self._whole and width > 1:
             self.show_all()
         self.scroll(self.top)
         self.moved.emit()
@@ -100,6 +99,7 @@ class TimelineView(QObject):
         """Bring all that is played into view."""
         animation = self.timeline.animation
         self.frame(animation.start, animation.end)
+        self._whole = True
 
     def frame(self, start: float, end: float) -> None:
         """Bring a stretch of time into view."""

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog
 
 from docs.first_face import Hand
@@ -23,6 +24,8 @@ def walked(open_window, document, tmp_path, monkeypatch) -> MainWindow:
     write_sound(Sound(voice.astype(np.float32)[:, None], RATE), tmp_path / "voice.wav")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(tmp_path / "voice.wav"), ""))
     window = open_window(document)
+    window.resize(1440, 900)
+    QTest.qWait(200)
     walk(Hand(window))
     return window
 
