@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import sys
 from argparse import Namespace
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from app.authoring.importing import with_capture, with_spoken
+from app.authoring.recordings import capture_from
+from app.cli.commands import solved
 from app.cli.ordering import export_animation
 from app.cli.screen import Screen
 from app.examples import demo_project, examples_folder
+from facemodel.basis import Basis
 from facemodel.faces import DEFAULT_FACE
 from facemodel.io.disk import checked_target
 from facemodel.io.project_file import load_project, save_project
 from facemodel.io.speech import read_speech
-from facemodel.io.weights import read_capture
 from facemodel.io.weights.mapping_file import load_mapping
 from facemodel.project import Project
 
@@ -28,7 +31,7 @@ def animate(asked: Namespace, screen: Screen) -> int:
     project = load_project(asked.project)
     notes: list[str] = []
     for path in asked.capture:
-        capture = read_capture(path, project.units, asked.rate)
+        capture = capture_from(path, project, partial(_basis, project, asked), asked.rate, asked.neutral)
         table = load_mapping(asked.table) if asked.table else None
         imported = with_capture(project, capture, table)
         project, notes = imported.project, [*notes, *imported.notes]
@@ -41,6 +44,10 @@ def animate(asked: Namespace, screen: Screen) -> int:
     folder = asked.project.absolute().parent
     print(f"Wrote {asked.out}: {_written(project, asked, screen, folder)}")
     return 0
+
+
+def _basis(project: Project, asked: Namespace) -> Basis:
+    return solved(project, asked.basis).basis
 
 
 DEMO_FILM = Path("risorius-demo.mp4")

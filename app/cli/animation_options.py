@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import get_args
 
 from app.cli.options import of_basis, of_expression, of_face, of_project, of_view
-from app.cli.values import count, rate, size
+from app.cli.values import count, rate, seconds, size
 from app.film.film import ANTIALIAS
 from facemodel.io.export import EXPORTS
 from facemodel.io.export.asked import Shaping
@@ -28,6 +28,12 @@ def of_animate(made: ArgumentParser) -> None:
         "--speech", metavar="FILE", type=Path, action="append", default=[], help="phonemes to bring in; repeatable"
     )
     made.add_argument("--rate", metavar="RATE", type=rate, help="frames per second of what is brought in")
+    made.add_argument(
+        "--neutral",
+        metavar="SECONDS",
+        type=seconds,
+        help="when a face known by landmarks was at rest (calmest at start)",
+    )
     _of_weights(made)
     of_frames(made)
     _of_shapes(made)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from argparse import ArgumentTypeError
 
@@ -48,6 +49,17 @@ def rate(text: str) -> float:
         raise ArgumentTypeError(f"“{text}” is not a number of frames per second") from None
     if not SLOWEST_RATE <= found <= FASTEST_RATE:
         raise ArgumentTypeError(f"{text} frames a second are not possible; choose {SLOWEST_RATE:g} to {FASTEST_RATE:g}")
+    return found
+
+
+def seconds(text: str) -> float:
+    """A time from the beginning on."""
+    try:
+        found = float(text)
+    except ValueError:
+        raise ArgumentTypeError(f"“{text}” is not a number of seconds") from None
+    if not 0.0 <= found < math.inf:
+        raise ArgumentTypeError(f"{text} seconds are no time after the beginning")
     return found
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from app.authoring.importing import Imported, with_capture, with_sound, with_spoken
+from app.authoring.recordings import capture_from
 from app.errors import NumberError
 from app.scripting.desk import ScriptDesk
 from app.speech import sounds_of_text, spoken_sound
@@ -29,7 +30,6 @@ from facemodel.animation.track import Track
 from facemodel.errors import UnknownNameError
 from facemodel.io.audio import read_sound, write_sound
 from facemodel.io.speech import read_speech
-from facemodel.io.weights import read_capture
 from facemodel.io.weights.mapping_file import load_mapping
 from facemodel.io.weights.writing import WEIGHT_EXPORTS, Animated, export_weights
 
@@ -198,11 +198,20 @@ class Animating:
         return self._take(Imported(found.project, (*spoken.notes, *found.notes)), "Import speech")
 
     def import_weights(
-        self, path: str, time: float | None = None, rate: float | None = None, table: str = ""
+        self,
+        path: str,
+        time: float | None = None,
+        rate: float | None = None,
+        table: str = "",
+        neutral: float | None = None,
     ) -> tuple[str, ...]:
-        """A capture from a file, through the shipped table of its kind or one from a file; returns notes."""
+        """A capture from a file, through the shipped table of its kind or one from a file; returns notes.
+
+        Landmarks become weights by the fields of this face, which was at rest ``neutral`` seconds after their start.
+        """
+        checked_numbers(*(each for each in (time, neutral) if each is not None))
         project = self._desk.project
-        capture = read_capture(Path(path), project.units, rate)
+        capture = capture_from(Path(path), project, lambda: self._desk.solution().basis, rate, neutral)
         mapping = load_mapping(Path(table)) if table else None
         return self._take(with_capture(project, capture, mapping, time), f"Import {Path(path).name}")
 

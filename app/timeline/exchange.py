@@ -11,18 +11,19 @@ from app.actions.action import Action
 from app.actions.context import Context, FileQuestion
 from app.actions.paths import folder, with_suffix
 from app.authoring.importing import with_sound, with_spoken
+from app.authoring.recordings import capture_from, solved_basis
 from app.jobs import Deliver, Failure, Job
 from app.timeline.timeline import Timeline
 from facemodel.animation.capture import Capture
 from facemodel.animation.evaluation import sampled
 from facemodel.animation.sound import Sound
+from facemodel.basis import Basis
 from facemodel.errors import RisoriusError
 from facemodel.io.audio import read_sound
 from facemodel.io.speech.reading import READABLE as SPEECH
 from facemodel.io.speech.reading import read_speech
 from facemodel.io.speech.spoken import Spoken
-from facemodel.io.weights import READABLE as WEIGHTS
-from facemodel.io.weights import read_capture
+from facemodel.io.weights import RECORDINGS
 from facemodel.io.weights.writing import WEIGHT_EXPORTS, Animated, export_weights
 from facemodel.solve import Progress
 
@@ -59,7 +60,7 @@ class Errand:
     """
 
     what: str
-    work: Callable[[], Any]
+    work: Callable[[Progress], Any]
     then: Callable[[Any], None]
 
 
@@ -86,20 +87,24 @@ class Exchange:
         """What reads files without asking for one, by their endings."""
         return {
             **dict.fromkeys(SPEECH, self.read_speech),
-            **dict.fromkeys(WEIGHTS, self.read_capture),
+            **dict.fromkeys(RECORDINGS, self.read_capture),
             **dict.fromkeys(SOUND, self.read_sound),
         }
 
     def import_capture(self) -> None:
-        """Ask for a file with weights over time, read it, and show how it becomes weights of this face."""
-        path = self._asked("Import weights over time", "Weights over time", WEIGHTS)
+        """Ask for a file with weights or landmarks over time, read it, and show how it becomes weights of this face."""
+        path = self._asked("Import weights over time", "Weights over time", RECORDINGS)
         if path is not None:
             self.read_capture(path)
 
     def read_capture(self, path: Path) -> None:
-        """Read a file with weights over time, and show how it becomes weights of this face."""
-        units = self._timeline.document.project.units
-        self._begin(f"Reading {path.name}", lambda: read_capture(path, units), lambda c: self.asks.map_capture(c, path))
+        """Read a file with weights or landmarks over time, and show how it becomes weights of this face."""
+        project, standing = self._timeline.document.project, self._basis()
+
+        def read(progress: Progress) -> Capture:
+            return capture_from(path, project, lambda: standing or solved_basis(project, progress))
+
+        self._begin(f"Reading {path.name}", read, lambda capture: self.asks.map_capture(capture, path))
 
     def import_speech(self) -> None:
         """Ask for a file with phonemes, and say them from the playhead on."""
@@ -110,7 +115,7 @@ class Exchange:
     def read_speech(self, path: Path) -> None:
         """Read a file with phonemes, and say them from the playhead on."""
         rate = self._timeline.rate
-        self._begin(f"Reading {path.name}", lambda: read_speech(path, rate), self._say)
+        self._begin(f"Reading {path.name}", lambda _: read_speech(path, rate), self._say)
 
     def import_sound(self) -> None:
         """Ask for a sound that plays along."""
@@ -120,7 +125,7 @@ class Exchange:
 
     def read_sound(self, path: Path) -> None:
         """Let a sound play along."""
-        self._begin(f"Reading {path.name}", lambda: read_sound(path), lambda sound: self._play_along(path, sound))
+        self._begin(f"Reading {path.name}", lambda _: read_sound(path), lambda sound: self._play_along(path, sound))
 
     def export(self, kind: str) -> None:
         """Ask for a file and write weights over time into it."""
@@ -132,11 +137,10 @@ class Exchange:
         if path is None:
             return
         document.commit()
-        project, solution = document.project, document.solution
-        basis = None if solution is None or document.stale else solution.basis
+        project, basis = document.project, self._basis()
         target = with_suffix(path, export.suffix)
 
-        def write() -> Path:
+        def write(_: Progress) -> Path:
             clip = sampled(project.animation, project.units)
             export_weights(Animated(clip, project.units, project.face, basis, target.stem), target, kind)
             return target
@@ -151,7 +155,12 @@ class Exchange:
         start = folder(self._context)
         return self._context.host.ask_path(FileQuestion(title, kind, suffixes[0], start, False, suffixes[1:]))
 
-    def _begin(self, what: str, work: Callable[[], Any], then: Callable[[Any], None]) -> None:
+    def _basis(self) -> Basis | None:
+        """The fields of the face as it is now; none while it is not solved."""
+        document = self._timeline.document
+        return None if document.solution is None or document.stale else document.solution.basis
+
+    def _begin(self, what: str, work: Callable[[Progress], Any], then: Callable[[Any], None]) -> None:
         self.job.request(Errand(what, work, then))
 
     def _say(self, spoken: Spoken) -> None:
@@ -179,7 +188,7 @@ class Exchange:
 def _do(errand: Errand, progress: Progress) -> Any:
     progress(errand.what, 0.0)
     try:
-        return errand.work()
+        return errand.work(progress)
     except RecursionError as error:
         raise RisoriusError("The file is nested too deeply to be read.") from error
 
@@ -191,7 +200,7 @@ def exchange_actions(exchange: Callable[[], Exchange], timeline: Timeline) -> tu
 
 def _importing(exchange: Callable[[], Exchange]) -> tuple[Action, ...]:
     entries: tuple[tuple[str, str, str, Deed], ...] = (
-        ("timeline.import", "Weights over time…", "OpenFace, Live Link Face, ARKit, MediaPipe, MPEG-4 or a plain table",
+        ("timeline.import", "Weights over time…", "OpenFace, Live Link Face, ARKit, MediaPipe (weights or landmarks), MPEG-4 or a plain table",
          lambda _: exchange().import_capture()),
         ("timeline.import-speech", "Phonemes…", "Rhubarb, Papagayo, Praat or the Montreal Forced Aligner, from here on",
          lambda _: exchange().import_speech()),

@@ -7,7 +7,7 @@ from typing import Literal
 
 from fem.types import Float32Array
 
-CaptureKind = Literal["openface", "live-link", "arkit", "fap", "plain"]
+CaptureKind = Literal["openface", "live-link", "arkit", "fap", "landmarks", "plain"]
 """Where it comes from; each has a mapping table of its own."""
 
 KIND_TITLES: dict[CaptureKind, str] = {
@@ -15,6 +15,7 @@ KIND_TITLES: dict[CaptureKind, str] = {
     "live-link": "Live Link Face",
     "arkit": "ARKit or MediaPipe",
     "fap": "MPEG-4 face animation",
+    "landmarks": "Landmarks of MediaPipe",
     "plain": "Weights of action units",
 }
 

@@ -22,6 +22,9 @@ from resources import resource
 MOTIONLESS = 1e-6
 """A channel that never gets farther from zero than this does not move."""
 
+TREMBLING = 0.05
+"""Seconds; landmarks tremble from frame to frame, and faster than this no face moves but its lids."""
+
 
 @dataclass(frozen=True)
 class MapRow:
@@ -76,9 +79,11 @@ class Mapped:
 
 
 def default_mapping(kind: CaptureKind) -> Mapping:
-    """The table that ships for captures of a kind; of plain tables, none is needed and none has rows."""
+    """The table that ships for captures of a kind; without rows where channels are those of the face already."""
     if kind == "plain":
         return Mapping("Weights as they are", ())
+    if kind == "landmarks":
+        return Mapping("Weights as they were found", (), TREMBLING)
     return _shipped(kind)
 
 
@@ -98,7 +103,7 @@ def mapped(capture: Capture, mapping: Mapping, units: Sequence[ActionUnit], star
 
     Parameters
     ----------
-    capture : what a tracker saw; of a plain one, without rows, every channel is its own target
+    capture : what a tracker saw; without rows every channel is its own target
     mapping : how its channels become those of the face
     units : of the face
     start : when it begins in the clip, seconds; as it was noted if not given

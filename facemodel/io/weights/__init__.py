@@ -4,6 +4,6 @@ Whatever is wrong with a file is said in one sentence.  What can be read is: gap
 at the end is left out, and a note says so.
 """
 
-from facemodel.io.weights.reading import READABLE, read_capture
+from facemodel.io.weights.reading import READABLE, RECORDINGS, read_capture, read_recording
 
-__all__ = ["READABLE", "read_capture"]
+__all__ = ["READABLE", "RECORDINGS", "read_capture", "read_recording"]

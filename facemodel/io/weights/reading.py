@@ -7,11 +7,13 @@ from pathlib import Path
 
 from facemodel.actions import ActionUnit
 from facemodel.animation.capture import Capture
+from facemodel.animation.landmarks import LandmarkTrack
 from facemodel.errors import ProjectError
 from facemodel.io.damage import naming
 from facemodel.io.disk import read_file
 from facemodel.io.weights.arkit_json import read_arkit_json
 from facemodel.io.weights.fap import read_fap
+from facemodel.io.weights.landmarks_npz import read_landmarks_npz
 from facemodel.io.weights.live_link import is_arkit, read_live_link
 from facemodel.io.weights.openface import is_openface, read_openface
 from facemodel.io.weights.plain import read_plain
@@ -22,6 +24,12 @@ LARGEST_FILE = 1 << 29
 
 READABLE = (".csv", ".json", ".fap")
 """Suffixes of files with weights over time."""
+
+LANDMARKS = ".npz"
+"""Suffix of files with landmarks over time."""
+
+RECORDINGS = (*READABLE, LANDMARKS)
+"""Suffixes of whatever trackers write."""
 
 SLOWEST, FASTEST = 1.0, 1000.0
 """Frames per second that may be said of a file."""
@@ -42,11 +50,7 @@ def read_capture(path: Path, units: Sequence[ActionUnit] = (), rate: float | Non
         If there is no such file, it is of another kind, or damaged; the place and the remedy are named.
     """
     suffix = path.suffix.lower()
-    if suffix not in READABLE:
-        raise ProjectError(f"“{path}” cannot be read: weights over time are in {', '.join(READABLE)} files.")
-    if rate is not None and not SLOWEST <= rate <= FASTEST:
-        raise ProjectError(f"“{path}” cannot have {rate:g} frames a second; choose from {SLOWEST:g} to {FASTEST:g}.")
-    data = read_file(path, LARGEST_FILE)
+    data = _read(path, READABLE, rate)
     with naming(path, "read"):
         if suffix == ".json":
             return read_arkit_json(data, rate)
@@ -58,3 +62,27 @@ def read_capture(path: Path, units: Sequence[ActionUnit] = (), rate: float | Non
         if is_arkit(names):
             return read_live_link(data, rate)
         return read_plain(data, units, rate)
+
+
+def read_recording(path: Path, units: Sequence[ActionUnit] = (), rate: float | None = None) -> Capture | LandmarkTrack:
+    """What a tracker saw, be it weights, as `read_capture` reads them, or landmarks of MediaPipe in an ``.npz`` file.
+
+    Raises
+    ------
+    ProjectError
+        If there is no such file, it is of another kind, or damaged; the place and the remedy are named.
+    """
+    if path.suffix.lower() == LANDMARKS:
+        data = _read(path, RECORDINGS, rate)
+        with naming(path, "read"):
+            return read_landmarks_npz(data, rate)
+    return read_capture(path, units, rate)
+
+
+def _read(path: Path, readable: Sequence[str], rate: float | None) -> bytes:
+    """The bytes of a file whose suffix is one of those that can be read."""
+    if path.suffix.lower() not in readable:
+        raise ProjectError(f"“{path}” cannot be read: weights over time are in {', '.join(RECORDINGS)} files.")
+    if rate is not None and not SLOWEST <= rate <= FASTEST:
+        raise ProjectError(f"“{path}” cannot have {rate:g} frames a second; choose from {SLOWEST:g} to {FASTEST:g}.")
+    return read_file(path, LARGEST_FILE)
