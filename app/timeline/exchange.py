@@ -200,7 +200,7 @@ def exchange_actions(exchange: Callable[[], Exchange], timeline: Timeline) -> tu
 
 def _importing(exchange: Callable[[], Exchange]) -> tuple[Action, ...]:
     entries: tuple[tuple[str, str, str, Deed], ...] = (
-        ("timeline.import", "Weights over time…", "OpenFace, Live Link Face, ARKit, MediaPipe (weights or landmarks), MPEG-4 or a plain table",
+        ("timeline.import", "Weights over time…", "OpenFace, Live Link Face, ARKit, MediaPipe, MPEG-4 or plain tables",
          lambda _: exchange().import_capture()),
         ("timeline.import-speech", "Phonemes…", "Rhubarb, Papagayo, Praat or the Montreal Forced Aligner, from here on",
          lambda _: exchange().import_speech()),

@@ -22,8 +22,8 @@ from resources import resource
 MOTIONLESS = 1e-6
 """A channel that never gets farther from zero than this does not move."""
 
-TREMBLING = 0.05
-"""Seconds; landmarks tremble from frame to frame, and faster than this no face moves but its lids."""
+TREMBLING = 0.02
+"""Seconds; landmarks tremble from frame to frame, and more would take the peak from a blink of a tenth of a second."""
 
 
 @dataclass(frozen=True)

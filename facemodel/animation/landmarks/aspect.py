@@ -32,7 +32,7 @@ def squared(points: FloatArray, places: Places) -> tuple[FloatArray, tuple[str, 
 
 
 def _stretched(points: FloatArray, ratio: float) -> FloatArray:
-    return points * np.array([ratio, 1.0, ratio])
+    return np.asarray(points * np.array([ratio, 1.0, ratio]))
 
 
 def _misfit(points: FloatArray, places: Places) -> float:

@@ -13,10 +13,10 @@ import numpy as np
 
 from fem.types import FloatArray
 
-RIDGE = 5e-2
+RIDGE = 2e-2
 """Square of how many millimetres at the points are worth one of the largest motion, of trusted points."""
 
-SPARSE = 1e-1
+SPARSE = 5e-2
 """The same at a weight near none: trembling of the points below it wakes no field."""
 
 SWEEPS = 400

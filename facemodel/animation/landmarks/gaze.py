@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from facemodel.animation.landmarks.lids import openness
 from facemodel.animation.landmarks.places import irises
 from fem.types import BoolArray, FloatArray
 
@@ -13,40 +14,31 @@ REACH = 0.35
 CORNERS = {"L": (263, 362), "R": (33, 133)}
 """Outer and inner corner of the lids in the mesh."""
 
-LIDS = {"L": (386, 374), "R": (159, 145)}
-"""The middle of the upper and of the lower lid."""
-
-SHUT = 0.5
+HIDDEN = 0.5
 """Share of their opening at rest below which lids hide where the eye looks, and trackers guess."""
 
 
 def gaze(points: FloatArray, rest: slice) -> dict[str, FloatArray]:
     """Channels of the eyes (N,) in degrees, from frames (N, 478, 3) without head motion and with y up.
 
-    While an eye is shut its gaze goes on from where it was to where it is next seen.
+    Both eyes look the same way: how far they converge is less than irises tremble.  While an eye is shut its gaze goes
+    on from where it was to where it is next seen.
 
     Parameters
     ----------
     points : in any unit
     rest : the frames in which they look ahead
     """
-    found: dict[str, FloatArray] = {}
+    looks: list[FloatArray] = []
     for side, iris in irises().items():
         outer, inner = (points[:, corner] for corner in CORNERS[side])
         stand = points[:, iris] - (outer + inner) / 2
         reach = REACH * float(np.linalg.norm(outer[rest] - inner[rest], axis=-1).mean())
         went = np.clip((stand - stand[rest].mean(axis=0)) / reach, -1.0, 1.0)
-        seen = _open(points, LIDS[side], rest)
-        for axis, name in enumerate(("yaw", "pitch")):
-            found[f"eye{side}.{name}"] = _bridged(np.degrees(np.arcsin(went[:, axis])), seen)
-    return found
-
-
-def _open(points: FloatArray, lids: tuple[int, int], rest: slice) -> BoolArray:
-    """The frames (N,) in which an eye is open."""
-    upper, lower = lids
-    gap = np.linalg.norm(points[:, upper] - points[:, lower], axis=1)
-    return np.asarray(gap >= SHUT * gap[rest].mean())
+        seen = openness(points, side, rest) >= HIDDEN
+        looks.append(np.stack([_bridged(np.degrees(np.arcsin(went[:, axis])), seen) for axis in (0, 1)]))
+    yaw, pitch = np.mean(looks, axis=0)
+    return {"eyeL.yaw": yaw, "eyeL.pitch": pitch, "eyeR.yaw": yaw, "eyeR.pitch": pitch}
 
 
 def _bridged(values: FloatArray, seen: BoolArray) -> FloatArray:

@@ -14,6 +14,7 @@ from facemodel.animation.landmarks.aspect import squared
 from facemodel.animation.landmarks.felt import Felt
 from facemodel.animation.landmarks.fit import fitted
 from facemodel.animation.landmarks.gaze import gaze
+from facemodel.animation.landmarks.lids import with_shut_eyes
 from facemodel.animation.landmarks.neutral import calmest, moment_at
 from facemodel.animation.landmarks.places import places_on
 from facemodel.animation.landmarks.track import LandmarkTrack
@@ -64,7 +65,8 @@ def captured(
         f"what its weights leave of the landmarks’ motion is {fit.error:.1f} mm."
     )
     notes = (*track.notes, *notes, note)
-    values = np.column_stack([fit.weights, *channels.values()])
+    weights = with_shut_eyes(fit.names, fit.weights, steady, rest)
+    values = np.column_stack([weights, *channels.values()])
     names = (*fit.names, *channels)
     return Capture("landmarks", names, values.astype(np.float32), track.rate, 0.0, notes)
 

@@ -29,4 +29,4 @@ class LandmarkTrack:
     @property
     def irises(self) -> bool:
         """Whether the irises are among the points."""
-        return self.points.shape[1] == WITH_IRISES
+        return len(self.points[0]) == WITH_IRISES

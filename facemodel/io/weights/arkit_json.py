@@ -41,7 +41,7 @@ def read_arkit_json(data: bytes, rate: float | None = None) -> Capture:
         raw = json.loads(decoded(data))
     except (ValueError, RecursionError) as error:
         raise DamageError("the file", "is no JSON", "write it again") from error
-    own = rate or _noted_rate(raw)
+    own = rate or noted_rate(raw)
     names, values, times = _matrix(raw) or _lists(raw) or _frames(raw)
     known = [(k, name) for k, name in enumerate(map(live_link_name, names)) if name is not None]
     if not known:
@@ -55,7 +55,8 @@ def read_arkit_json(data: bytes, rate: float | None = None) -> Capture:
 Found = tuple[list[str], FloatArray, FloatArray | None]
 
 
-def _noted_rate(raw: Any) -> float | None:
+def noted_rate(raw: Any) -> float | None:
+    """Frames per second that a file says it has; none if it does not say."""
     if not isinstance(raw, dict):
         return None
     found = next((raw[name] for name in RATES if name in raw), None)

@@ -58,8 +58,8 @@ def tracked(points: FloatArray, times: NDArray[Any] | None, rate: float | None) 
 
 def _faceless(points: FloatArray) -> BoolArray:
     """The frames (N,) in which nothing is seen, or all points in one place."""
-    seen = np.isfinite(points).all(axis=2)
-    lost = ~seen.any(axis=1)
+    seen: BoolArray = np.isfinite(points).all(axis=2)
+    lost = np.asarray(~np.any(seen, axis=1))
     spread = np.zeros(len(points))
     place = np.ones(len(points))
     spread[~lost] = np.nanstd(points[~lost], axis=1).max(axis=1)
