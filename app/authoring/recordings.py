@@ -12,8 +12,7 @@ from facemodel.cache import solve_cached
 from facemodel.io.weights import read_recording
 from facemodel.project import Project
 from facemodel.sculpting.corrected import Corrector
-from facemodel.solution import silent
-from facemodel.solve import Progress
+from facemodel.solution import Progress, silent
 
 
 def capture_from(
@@ -22,6 +21,7 @@ def capture_from(
     basis: Callable[[], Basis],
     rate: float | None = None,
     neutral: float | None = None,
+    progress: Progress = silent,
 ) -> Capture:
     """A capture from a file of any kind that can be read.
 
@@ -31,6 +31,7 @@ def capture_from(
     basis : lends its fields; asked for if there are landmarks to follow
     rate : frames per second; noted times are then not looked at
     neutral : when the face was at rest, seconds, where it is landmarks; the calmest moment at the start if not given
+    progress : is told how far it is, and may raise `Cancelled`
 
     Raises
     ------
@@ -41,7 +42,7 @@ def capture_from(
     """
     found = read_recording(path, project.units, rate)
     if isinstance(found, LandmarkTrack):
-        return captured(found, project.face, basis(), project.units, neutral)
+        return captured(found, project.face, basis(), project.units, neutral, progress)
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -25,6 +26,7 @@ from facemodel.io.speech.reading import read_speech
 from facemodel.io.speech.spoken import Spoken
 from facemodel.io.weights import RECORDINGS
 from facemodel.io.weights.writing import WEIGHT_EXPORTS, Animated, export_weights
+from facemodel.project import Project
 from facemodel.solve import Progress
 
 Deed = Callable[[Context], None]
@@ -102,7 +104,8 @@ class Exchange:
         project, standing = self._timeline.document.project, self._basis()
 
         def read(progress: Progress) -> Capture:
-            return capture_from(path, project, lambda: standing or solved_basis(project, progress))
+            basis = partial(_fields, standing, project, progress)
+            return capture_from(path, project, basis, progress=progress)
 
         self._begin(f"Reading {path.name}", read, lambda capture: self.asks.map_capture(capture, path))
 
@@ -183,6 +186,11 @@ class Exchange:
 
     def _fail(self, failure: Failure) -> None:
         self._context.host.show_error(failure.sentence)
+
+
+def _fields(standing: Basis | None, project: Project, progress: Progress) -> Basis:
+    """The fields that stand, or those of the project solved."""
+    return standing or solved_basis(project, progress)
 
 
 def _do(errand: Errand, progress: Progress) -> Any:

@@ -9,8 +9,9 @@ from scipy.spatial.transform import Rotation
 
 from facemodel.animation.landmarks.alignment import similarity
 from facemodel.animation.landmarks.felt import Felt
-from facemodel.animation.landmarks.fitting import fitted_weights
+from facemodel.animation.landmarks.fitting import Fitter
 from facemodel.animation.landmarks.places import Places, measures
+from facemodel.solution import Progress
 from fem.types import FloatArray
 
 DEPTH = 0.1
@@ -41,7 +42,7 @@ class Fit:
     error: float
 
 
-def fitted(upright: FloatArray, shape: FloatArray, rest: slice, places: Places, felt: Felt) -> Fit:
+def fitted(upright: FloatArray, shape: FloatArray, rest: slice, places: Places, felt: Felt, progress: Progress) -> Fit:
     """Weights and heads of a performance.
 
     Parameters
@@ -50,6 +51,7 @@ def fitted(upright: FloatArray, shape: FloatArray, rest: slice, places: Places, 
     shape : (P, 3) the face at rest in their space
     rest : the frames of that moment
     places, felt : of the face
+    progress : is told how far it is, and may raise `Cancelled`
     """
     seen, own = upright[:, places.indices], shape[places.indices]
     still = places.still
@@ -57,12 +59,14 @@ def fitted(upright: FloatArray, shape: FloatArray, rest: slice, places: Places, 
     laid = similarity(own[None, still], places.rest[None, still], counts).of(own[None])[0]
     alike = _alike(laid, places)[:, None]
     trust = places.weights[:, None] * np.array([1.0, 1.0, DEPTH])
-    explained = np.zeros_like(seen)
-    for _ in range(ROUNDS):
+    fitter = Fitter(felt.fields, trust, felt.peaks, felt.high)
+    explained, weights = np.zeros_like(seen), np.zeros((len(seen), len(felt.names)))
+    for done in range(ROUNDS):
+        progress("Following the landmarks", done / ROUNDS)
         goal = laid[still] + (explained / alike)[:, still]
         heads = similarity(seen[:, still], goal, counts)
         moved = (heads.of(seen) - laid) * alike
-        weights = fitted_weights(felt.fields, moved, trust, felt.peaks, felt.high)
+        weights = fitter.weights(moved, weights)
         explained = np.einsum("nm,mkc->nkc", weights, felt.fields)
     left = float(np.sqrt(((moved - explained)[:, :, :2] ** 2).sum(axis=2).mean()))
     ahead = Rotation.from_matrix(heads.turn[rest]).mean().as_matrix()

@@ -9,6 +9,9 @@ two that explain the same the one that does it with less.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
+
 import numpy as np
 
 from fem.types import FloatArray
@@ -20,35 +23,59 @@ SPARSE = 5e-2
 """The same at a weight near none: trembling of the points below it wakes no field."""
 
 SWEEPS = 400
-"""Each makes the error smaller; so many that the last no longer move a weight by what `SETTLED` says."""
+"""Of a sweep each makes the error smaller; so many at most, which none but the strangest frames need."""
 
-SETTLED = 1e-5
-"""A weight that moves by less in a sweep has settled: nothing that is drawn tells it from the next."""
+SETTLED = 1e-4
+"""A weight that moves by less in a sweep has settled: the largest field then moves by a few thousandths of a mm."""
+
+BLOCK = 256
+"""Frames that are worked on together: their weights stay in the processor's cache."""
 
 
-def fitted_weights(
-    fields: FloatArray, moved: FloatArray, trust: FloatArray, peaks: FloatArray, high: FloatArray
-) -> FloatArray:
-    """The weights (N, M) of each frame.
+@dataclass(frozen=True, eq=False)
+class Fitter:
+    """Fits the same fields to many frames.
 
-    Parameters
+    Attributes
     ----------
     fields : (M, K, 3) at weight 1, millimetres
-    moved : (N, K, 3) how far the points moved, millimetres
     trust : (K, 3) weights of the squares
     peaks : (M,) largest motion of each field, millimetres
     high : (M,) largest weight of each field
     """
-    rows = fields.reshape(len(fields), -1)
-    gram = (rows * trust.ravel()) @ rows.T
-    gram[np.diag_indices_from(gram)] += RIDGE * peaks**2
-    wanted = (rows * trust.ravel()) @ moved.reshape(len(moved), -1).T - SPARSE * peaks[:, None] ** 2
-    found = np.zeros_like(wanted)
-    for _ in range(SWEEPS):
-        before = found.copy()
-        for j in range(len(gram)):
-            step = (wanted[j] - gram[j] @ found) / gram[j, j]
-            np.clip(found[j] + step, 0.0, high[j], out=found[j])
-        if np.abs(found - before).max(initial=0.0) < SETTLED:
-            break
-    return found.T
+
+    fields: FloatArray
+    trust: FloatArray
+    peaks: FloatArray
+    high: FloatArray
+
+    def weights(self, moved: FloatArray, guess: FloatArray) -> FloatArray:
+        """The weights (N, M) of frames whose points moved by (N, K, 3) millimetres, from a guess (N, M) on."""
+        rows = (self.fields * self.trust).reshape(len(self.fields), -1)
+        wanted = rows @ moved.reshape(len(moved), -1).T - SPARSE * self.peaks[:, None] ** 2
+        found = guess.T.copy()
+        for start in range(0, len(moved), BLOCK):
+            block = slice(start, start + BLOCK)
+            found[:, block] = self._settled(wanted[:, block], found[:, block])
+        return found.T
+
+    @cached_property
+    def _gram(self) -> FloatArray:
+        """Left side (M, M) of the normal equations."""
+        rows = self.fields.reshape(len(self.fields), -1)
+        gram = (rows * self.trust.ravel()) @ rows.T
+        gram[np.diag_indices_from(gram)] += RIDGE * self.peaks**2
+        return np.asarray(gram)
+
+    def _settled(self, wanted: FloatArray, guess: FloatArray) -> FloatArray:
+        """Weights (M, n) for right sides (M, n): one after the other to its best, as often as it takes."""
+        found = np.ascontiguousarray(guess)
+        for _ in range(SWEEPS):
+            largest = 0.0
+            for j, row in enumerate(self._gram):
+                best = np.clip(found[j] + (wanted[j] - row @ found) / row[j], 0.0, self.high[j])
+                largest = max(largest, float(np.abs(best - found[j]).max(initial=0.0)))
+                found[j] = best
+            if largest < SETTLED:
+                break
+        return found

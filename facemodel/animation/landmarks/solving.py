@@ -21,6 +21,7 @@ from facemodel.animation.landmarks.track import LandmarkTrack
 from facemodel.basis import Basis
 from facemodel.errors import FaceError, ProjectError
 from facemodel.face import Face
+from facemodel.solution import Progress, silent
 from fem.types import FloatArray
 
 UPRIGHT = np.array([1.0, -1.0, -1.0])
@@ -31,7 +32,12 @@ FEWEST, FEWEST_STILL = 12, 4
 
 
 def captured(
-    track: LandmarkTrack, face: Face, basis: Basis, units: Sequence[ActionUnit], neutral: float | None = None
+    track: LandmarkTrack,
+    face: Face,
+    basis: Basis,
+    units: Sequence[ActionUnit],
+    neutral: float | None = None,
+    progress: Progress = silent,
 ) -> Capture:
     """What a face has to do to move as landmarks did: weights of its fields, and turns of head and eyes in degrees.
 
@@ -40,6 +46,7 @@ def captured(
     track : what a tracker saw
     face, basis, units : of the face
     neutral : when the face was at rest, seconds; the calmest moment of the first second if not given
+    progress : is told how far it is, and may raise `Cancelled`
 
     Raises
     ------
@@ -58,7 +65,7 @@ def captured(
     still = places.indices[places.still]
     steady = similarity(upright[:, still], upright[:1, still], np.ones(len(still))).of(upright)
     rest = _rest(steady[:, places.indices], track.rate, neutral)
-    fit = fitted(upright, steady[rest].mean(axis=0), rest, places, Felt.on(places, basis, units))
+    fit = fitted(upright, steady[rest].mean(axis=0), rest, places, Felt.on(places, basis, units), progress)
     channels = {**_turned(fit.heads), **(gaze(steady, rest) if track.irises else {})}
     note = (
         f"The face is at rest at {(rest.start + rest.stop - 1) / 2 / track.rate:.2f} s; "

@@ -58,7 +58,7 @@ def tracked(points: FloatArray, times: NDArray[Any] | None, rate: float | None) 
 
 def _faceless(points: FloatArray) -> BoolArray:
     """The frames (N,) in which nothing is seen, or all points in one place."""
-    seen: BoolArray = np.isfinite(points).all(axis=2)
+    seen = np.asarray(np.isfinite(points).all(axis=2))
     lost = np.asarray(~np.any(seen, axis=1))
     spread = np.zeros(len(points))
     place = np.ones(len(points))
