@@ -178,11 +178,11 @@ def test_a_real_video_goes_from_calm_to_a_smile_with_a_blink(project: Project, s
         assert values[f"6{side}"][calm].max() < 0.1
         assert values[f"43{side}"][26:29].max() > 0.7, "the lids shut in the 27th frame"
         assert values[f"43{side}"][grin].max() < 0.3
-    # The chin of the video goes down by 8 of 90 pixels between nose and chin; that is 7 mm on this face.
+    # From the bridge of the nose to the chin the video has 140 pixels, 142 in the grin: a few degrees of the 33 of AU 27.
     jaw = solution.basis
     opened = sum(jaw.jaw[jaw.index[name], 0] * values[name] for name in ("26", "27") if name in values)
     assert np.max(opened[calm]) < 0.5
-    assert 2.0 < np.mean(opened[grin]) < 10.0
+    assert 2.0 < np.mean(opened[grin]) < 6.0
     assert values["25"][calm].max() < 0.1
     assert values["25"][grin].min() > 0.7
     assert max(np.abs(values[f"head.{axis}"]).max() for axis in ("yaw", "pitch", "roll")) < 5.0

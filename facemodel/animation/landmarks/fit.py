@@ -18,7 +18,12 @@ DEPTH = 0.1
 """How much the square of what a picture hides counts beside one of what it shows: trackers guess the depth."""
 
 ROUNDS = 3
-"""Times that the head is fitted to its still places, each with what the expression moves of them taken off."""
+"""Times that the head is fitted and then the weights: first by still places, then by all, what weights moved of them
+taken off."""
+
+RESTLESS = 0.2
+"""How much a place that expressions move counts beside a still one then: with none of it brows pull at each other for
+what a forehead is seen to move, with as much of it a head turns for a jaw."""
 
 SMALLEST, LARGEST = 0.5, 2.0
 """A mouth or an eye is at most so much smaller or larger, beside the head, than those of the face."""
@@ -55,16 +60,15 @@ def fitted(upright: FloatArray, shape: FloatArray, rest: slice, places: Places, 
     """
     seen, own = upright[:, places.indices], shape[places.indices]
     still = places.still
-    counts = places.weights[still]
-    laid = similarity(own[None, still], places.rest[None, still], counts).of(own[None])[0]
+    laid = similarity(own[None, still], places.rest[None, still], places.weights[still]).of(own[None])[0]
     alike = _alike(laid, places)[:, None]
     trust = places.weights[:, None] * np.array([1.0, 1.0, DEPTH])
     fitter = Fitter(felt.fields, trust, felt.peaks, felt.high)
     explained, weights = np.zeros_like(seen), np.zeros((len(seen), len(felt.names)))
     for done in range(ROUNDS):
         progress("Following the landmarks", done / ROUNDS)
-        goal = laid[still] + (explained / alike)[:, still]
-        heads = similarity(seen[:, still], goal, counts)
+        counts = places.weights * np.where(still, 1.0, RESTLESS if done else 0.0)
+        heads = similarity(seen, laid + explained / alike, counts)
         moved = (heads.of(seen) - laid) * alike
         weights = fitter.weights(moved, weights)
         explained = np.einsum("nm,mkc->nkc", weights, felt.fields)
