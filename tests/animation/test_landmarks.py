@@ -24,9 +24,9 @@ RATE = 30.0
 CALM = [Shown()] * 30
 """A second of rest, in which the neutral face is looked for."""
 
-NEAR = 0.12
-"""Of a weight: the prior shortens it by some hundredths, and what lips and lids do where they meet, which no field
-knows, by some more."""
+NEAR = 0.15
+"""Of a weight: the prior shortens it by some hundredths and lends some to units that look much alike from outside, as
+the dimpler to the corner puller, and what lips and lids do where they meet, no field knows."""
 
 TURNED = 0.5
 """Degrees: still places are not quite still, what is left of a brow that pulls at the forehead turns a head by 0.1."""
@@ -79,7 +79,7 @@ def test_what_the_face_did_is_found_again(follow, weights: dict[str, float]) -> 
         assert found[name] == pytest.approx(weight, abs=NEAR), name
     fields = {name for name in found if name[0].isdigit()}
     # A lid that closes is tightened a little, too: what it does on the eyeball no single field does.
-    assert max(found[name] for name in fields - weights.keys()) < (0.25 if "43R" in weights else NEAR)
+    assert max(found[name] for name in fields - weights.keys()) < (0.3 if "43R" in weights else 0.2)
 
 
 def test_a_mouth_that_opens_wide_opens_the_jaw_as_far(follow, solution: Solution) -> None:
@@ -128,13 +128,13 @@ def test_the_calmest_moment_at_the_start_is_rest(follow) -> None:
 
 def test_rest_can_be_named_and_has_to_be_in_the_recording(follow) -> None:
     smiling = Shown({"12L": 0.6, "12R": 0.6})
-    frames = [*[smiling] * 20, *CALM]
-    first = follow(frames, neutral=1.2).values[0]
+    frames = [*[smiling] * 40, *CALM]
+    first = follow(frames, neutral=1.8).values[0]
     names = follow(frames).channels
     assert first[names.index("12L")] == pytest.approx(0.6, abs=NEAR)
     assert follow(frames).values[0, names.index("12L")] < 0.01
     for wrong in (-1.0, 60.0, float("nan")):
-        with pytest.raises(ProjectError, match=r"cannot be at rest at .* s: the recording ends at 1.63 s"):
+        with pytest.raises(ProjectError, match=r"cannot be at rest at .* s: the recording ends at 2.30 s"):
             follow(frames, neutral=wrong)
 
 
@@ -178,11 +178,11 @@ def test_a_real_video_goes_from_calm_to_a_smile_with_a_blink(project: Project, s
         assert values[f"6{side}"][calm].max() < 0.1
         assert values[f"43{side}"][26:29].max() > 0.7, "the lids shut in the 27th frame"
         assert values[f"43{side}"][grin].max() < 0.3
-    # From the bridge of the nose to the chin the video has 140 pixels, 142 in the grin: a few degrees of the 33 of AU 27.
+    # From the bridge of the nose to the chin the video has 140 pixels, 142 in the grin: few of the 33 degrees of AU 27.
     jaw = solution.basis
     opened = sum(jaw.jaw[jaw.index[name], 0] * values[name] for name in ("26", "27") if name in values)
     assert np.max(opened[calm]) < 0.5
-    assert 2.0 < np.mean(opened[grin]) < 6.0
+    assert 1.0 < np.mean(opened[grin]) < 6.0
     assert values["25"][calm].max() < 0.1
     assert values["25"][grin].min() > 0.7
     assert max(np.abs(values[f"head.{axis}"]).max() for axis in ("yaw", "pitch", "roll")) < 5.0

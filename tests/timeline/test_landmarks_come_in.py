@@ -22,7 +22,7 @@ from tests.app.desk import Desk
 from tests.cli.test_commands import Paper
 from tests.timeline.test_exchange import Asked
 
-NEAR = 0.12
+NEAR = 0.15
 """Of a weight, as `tests.animation.test_landmarks` says."""
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from facemodel.actions import ActionUnit
-from facemodel.animation.landmarks.places import Places
+from facemodel.animation.landmarks.places import Places, told_units
 from facemodel.basis import Basis
 from fem.types import FloatArray
 
@@ -38,8 +38,9 @@ class Felt:
 
     @classmethod
     def on(cls, places: Places, basis: Basis, units: Sequence[ActionUnit]) -> Felt:
-        """Those of a basis that belong to units; what shows the tongue is not seen by these places."""
-        limits = {name: FULL for unit in units if not unit.tongue for name in unit.fields if name in basis.index}
+        """Those of a basis that belong to units which the places tell apart."""
+        told = [unit for unit in units if unit.number in told_units()]
+        limits = {name: FULL for unit in told for name in unit.fields if name in basis.index}
         moved = {name: basis.field(name)[places.points].astype(np.float64) for name in limits}
         names = tuple(name for name, field in moved.items() if np.linalg.norm(field, axis=1).max() >= LEAST)
         fields = np.array([moved[name] for name in names]).reshape(len(names), len(places.points), 3)

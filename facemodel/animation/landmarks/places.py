@@ -104,6 +104,14 @@ def _sided(name: str, side: str) -> str:
     return name if not side or name in MIDLINE else f"{name}_{side}"
 
 
+def told_units() -> frozenset[int]:
+    """Numbers of the action units that the points tell apart.
+
+    Rarer ones look like these from outside, such as 13 like 12 and 41 like 43, or are not seen by any point.
+    """
+    return frozenset(_table()["units"])
+
+
 def irises() -> Mapping[str, int]:
     """The middle of each iris by the side of its eye."""
     found: Mapping[str, int] = _table()["irises"]
