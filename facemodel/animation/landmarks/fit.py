@@ -14,7 +14,7 @@ from facemodel.animation.landmarks.places import Places, measures
 from facemodel.solution import Progress
 from fem.types import FloatArray
 
-DEPTH = 0.1
+DEPTH = 0.3
 """How much the square of what a picture hides counts beside one of what it shows: trackers guess the depth."""
 
 ROUNDS = 3
