@@ -75,26 +75,22 @@ def along(positions: FloatArray, chain: IntArray) -> FloatArray:
 def on_upper_side(mesh: Mesh, slit: Slit) -> BoolArray:
     """Skin vertices (N,) from which the way over the skin to the upper edge is the shorter one.
 
-    Lips that rest on each other are near in space; on the skin they are far from each other.  The ways lead to the
-    middle of each edge, so that about a corner, where both edges are alike near, the skin is parted across it.
+    Lips that rest on each other are near in space; on the skin they are far from each other.  Beside a corner, which is
+    of both edges, the skin is parted along the line through both corners.
     """
     i, j = mesh.edges.T
     length = np.maximum(np.linalg.norm(mesh.positions[i] - mesh.positions[j], axis=1), SHORTEST)
     count = len(mesh.positions)
     graph = csr_array((np.tile(length, 2), (np.concatenate([i, j]), np.concatenate([j, i]))), shape=(count, count))
+    upper, lower = (dijkstra(graph, indices=chain, min_only=True) for chain in (slit.upper, slit.lower))
     right, left = mesh.positions[list(slit.corners)]
-    ways = []
-    for chain in (slit.upper, slit.lower):
-        at = (mesh.positions[chain] - (right + left) / 2) @ (left - right) * 2 / ((left - right) @ (left - right))
-        ways.append(dijkstra(graph, indices=chain[np.abs(at) <= MIDDLE], min_only=True))
-    # A lip that reaches far into the mouth makes ways to its edge long: in the corners both are equally far.
-    further = float(np.mean((ways[0] - ways[1])[list(slit.corners)]))
-    return np.asarray(ways[0] - further < ways[1])
+    up = np.cross([0.0, 0.0, 1.0], left - right)
+    above = (mesh.positions - right) @ up >= 0
+    return np.asarray(np.where(np.abs(upper - lower) > ALIKE, upper < lower, above))
 
 
-MIDDLE = 0.75
-"""Share of half the slit within which an edge counts as its middle."""
-
+ALIKE = 1.5
+"""Millimetres by which ways to both edges differ at most where they lead to a corner; they go along edges."""
 
 SHORTEST = 1e-6
 """Millimetres; an edge of no length would be no edge of the graph."""

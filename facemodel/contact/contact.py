@@ -73,12 +73,9 @@ class Contact:
         rest = live_at_rest(face, display)
         for number, eye in enumerate(face.eyes):
             self._open_eye(face, display, eye, number, rest)
-        mouth = lay_lips(face, display)
+        mouth = lay_mouth(face, display)
         if mouth is not None:
-            rows, lips = mouth
-            skin = int(np.searchsorted(rows, len(rest) - display.moving))
-            teeth = BeforeTeeth(lips.columns, rows_of_teeth(face), skin, rest[rows])
-            self._add(face, display, rows, [teeth, Lips(lips, rest[rows])])
+            self._add(face, display, *mouth)
         self.rows: IntArray = np.concatenate([np.zeros(0, dtype=np.int64), *(site.rows for site in self._sites)])
 
     def _open_eye(self, face: Face, display: DisplaySurface, eye: Eye, number: int, rest: Float32Array) -> None:
@@ -108,6 +105,18 @@ class Contact:
         """
         for site in self._sites:
             site.settle(live, normals, slopes, stance)
+
+
+def lay_mouth(face: Face, display: DisplaySurface) -> tuple[IntArray, Sequence[Rule]] | None:
+    """The live points about the mouth and the rules that move them; none on a face without the slit of a mouth."""
+    mouth = lay_lips(face, display)
+    if mouth is None:
+        return None
+    rows, lips = mouth
+    rest = live_at_rest(face, display)
+    skin = int(np.searchsorted(rows, len(rest) - display.moving))
+    teeth = BeforeTeeth(lips.columns, rows_of_teeth(face), skin, rest[rows])
+    return rows, [teeth, Lips(lips, rest[rows])]
 
 
 def live_at_rest(face: Face, display: DisplaySurface) -> Float32Array:

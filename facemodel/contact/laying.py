@@ -42,7 +42,7 @@ def slit_columns(
     """
     right, left = frame.along(slit.corners)
     offsets = (right + left) / 2 + reach.end * (left - right) / 2 * np.linspace(-1, 1, COLUMNS)
-    sides = [_traced(slit, display, frame, reach, edge, offsets) for edge in (slit.edges.upper, slit.edges.lower)]
+    sides = [_traced(slit, display, frame, reach, upper, offsets) for upper in (True, False)]
     both = np.intersect1d(sides[0][1], sides[1][1])
     if len(both) < FEWEST:
         return None
@@ -61,7 +61,7 @@ def slit_columns(
     rows = np.flatnonzero(moved | read | also)
     reaching = reach.corner * (left - right) / 2
     within = np.clip((frame.along(slit.rest[rows]) - (right + left) / 2) / reaching, -1, 1)
-    near = slit.away[rows] < reach.kept * np.sqrt(1 - within**2)
+    near = slit.away[rows] < reach.kept * np.sqrt(1 - within**8)
     return rows, SlitColumns(
         frame,
         Columns(columns[0].operator[:, rows], columns[0].count),
@@ -74,12 +74,14 @@ def slit_columns(
 
 
 def _traced(
-    slit: DrawnSlit, display: DisplaySurface, frame: Frame, reach: Reach, edge: IntArray, offsets: FloatArray
+    slit: DrawnSlit, display: DisplaySurface, frame: Frame, reach: Reach, upper: bool, offsets: FloatArray
 ) -> tuple[Columns, IntArray]:
+    """The columns of one side of a slit; about its corners they end where the other side begins."""
     points = slit.rest[slit.first :]
     triangles = display.triangles[(display.triangles < display.moving).all(axis=1)]
     middle, half = slit.corners.mean(axis=0), np.linalg.norm(slit.corners[1] - slit.corners[0]) / 2
-    near = np.linalg.norm(points - middle, axis=1) < half + AROUND
+    near = (np.linalg.norm(points - middle, axis=1) < half + AROUND) & (slit.upper[slit.first :] == upper)
+    edge = slit.edges.upper if upper else slit.edges.lower
     sheet = Sheet(points, triangles[near[triangles].all(axis=1)], slit.first, edge, reach.profile, SAMPLES)
     return trace(sheet, [frame.along(points) - offset for offset in offsets], len(slit.rest))
 
@@ -113,4 +115,9 @@ def column_shares(
     along = np.where(at < 1, 2 / 3 - at**2 + at**3 / 2, np.maximum(2 - at, 0.0) ** 3 / 6)
     t = np.clip((reach.faded[side] - away) / (reach.faded[side] - reach.whole[side]), 0.0, 1.0)
     mine = upper if side == 0 else ~upper
-    return np.asarray(along * (t * t * (3 - 2 * t) * mine)[:, None])
+    share = t * t * (3 - 2 * t) * mine
+    if reach.joined < 1:
+        middle, half = (offsets[0] + offsets[-1]) / 2, (offsets[-1] - offsets[0]) / 2 / reach.end
+        t = np.clip((1 - np.abs(frame.along(places) - middle) / half) / (1 - reach.joined), 0.0, 1.0)
+        share = share * t * t * (3 - 2 * t)
+    return np.asarray(along * share[:, None])

@@ -17,7 +17,7 @@ from facemodel.kinematics import Stance
 from facemodel.openings import mouth_of
 from fem.types import Float32Array, FloatArray, IntArray
 
-LIPS = Reach(profile=12.0, whole=(2.0, 2.0), faded=(16.0, 16.0), kept=12.0, end=0.93)
+LIPS = Reach(profile=12.0, whole=(2.0, 2.0), faded=(16.0, 16.0), kept=12.0, end=0.97, joined=0.9)
 """The red of a lip gives way as a whole; nose and chin stay, so that lips that are pressed get thinner."""
 
 SHARE = 0.5
@@ -26,10 +26,18 @@ SHARE = 0.5
 FLATTENED = 0.25
 """Share of an overlap in which lips flatten against each other rather than give way: they are soft."""
 
+SOFT = 0.6
+"""Millimetres that they flatten at most: more than that would crumple a lip that stands steeply on the other one."""
+
+ROUNDS = 3
+"""How often lips may give way to each other: where they have moved to they may meet other parts of each other."""
 
 LEFT = 0.1
 """Millimetres that lips may still be in each other before they are parted once more, where they have moved to."""
 
+
+SKIN = 0.05
+"""Millimetres between each lip and the face between them: what is drawn is flat from point to point."""
 
 PRESSED = 2.0
 """Millimetres of overlap from which on nothing is left to be as it is at rest: pressed lips lie flat on each other."""
@@ -75,10 +83,13 @@ class LipColumns:
 
     def _beyond(self, here: Float32Array, meeting: Meeting) -> Iterator[tuple[IntArray, float, FloatArray]]:
         """For each lip its kept points, the way out, and how far they are on the wrong side."""
-        middle, free = (meeting.upper + meeting.lower) / 2, np.maximum(meeting.upper - meeting.lower, 0.0) / 2
-        for kept, sign in ((self.columns.upper_kept, 1.0), (self.columns.lower_kept, -1.0)):
+        apart, middle = meeting.upper > meeting.lower, (meeting.upper + meeting.lower) / 2
+        floor = np.where(apart, meeting.lower, middle) + SKIN
+        ceiling = np.where(apart, meeting.upper, middle) - SKIN
+        sides = ((self.columns.upper_kept, 1.0, floor), (self.columns.lower_kept, -1.0, ceiling))
+        for kept, sign, limit in sides:
             side = here[kept]
-            line = meeting.between(self.frame.along(side), self.frame.depth(side), middle - sign * free)
+            line = meeting.between(self.frame.along(side), self.frame.depth(side), limit)
             yield kept, sign, sign * (line - self.frame.height(side))
 
 
@@ -93,23 +104,33 @@ class Lips:
 
     def __init__(self, mouth: LipColumns, rest: Float32Array) -> None:
         self._mouth = mouth
-        self._resting = np.maximum(-mouth.meeting(rest).gap, 0.0)
+        self._resting = np.maximum(mouth.meeting(rest).overlap, 0.0)
         self._spared = mouth.spared(rest)
 
     def move(self, here: Float32Array, stance: Stance) -> None:
         """Part the lips of posed points (n, 3), in place."""
         meeting = self._mouth.meeting(here)
-        overlap = np.maximum(-meeting.gap - self._resting, 0.0)
+        overlap = np.maximum(meeting.overlap - self._resting, 0.0)
         if not overlap.any():
             return
-        way = (1 - FLATTENED) * overlap
-        self._mouth.columns.part(here, meeting.reading, SHARE * way, (1 - SHARE) * way)
+        meeting = self._give_way(here, meeting, np.minimum(FLATTENED * overlap, SOFT))
         still = 1 - min(float(overlap.max()) / PRESSED, 1.0)
         spared = [still * each for each in self._spared]
-        self._mouth.keep_apart(here, meeting, spared)
-        after = self._mouth.meeting(here)
-        if (-after.gap - still * self._resting).max() > LEFT:
-            self._mouth.keep_apart(here, after, spared)
+        for _ in range(ROUNDS):
+            self._mouth.keep_apart(here, meeting, spared)
+            meeting = self._mouth.meeting(here)
+            if meeting.deepest - still * self._resting.max() < LEFT:
+                break
+
+    def _give_way(self, here: Float32Array, meeting: Meeting, soft: FloatArray) -> Meeting:
+        """Part lips, in place, until no more than is soft (I,) of each column is left, and say how they meet then."""
+        for _ in range(ROUNDS):
+            way = np.maximum(meeting.overlap - self._resting - soft, 0.0)
+            if way.max() < LEFT:
+                break
+            self._mouth.columns.part(here, meeting, SHARE * way, (1 - SHARE) * way)
+            meeting = self._mouth.meeting(here)
+        return meeting
 
 
 def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[IntArray, LipColumns] | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 
@@ -22,6 +23,7 @@ class Reach:
     kept : up to where a point is kept on its own side
     end : share of half the slit at which the outermost columns lie; in the corner itself both sides are one
     corner : share of it at which no point is kept any more; fewer are the nearer they are
+    joined : share of it from which on less and less goes with a column; nothing at the corner, which is of both sides
     """
 
     profile: float
@@ -30,12 +32,27 @@ class Reach:
     kept: float
     end: float
     corner: float = 1.0
+    joined: float = 1.0
 
     def beyond(self, margin: float) -> Reach:
         """The same from the edge of the slit, if the columns end so many millimetres from it."""
         (above, below), (high, low) = self.whole, self.faded
         whole, faded = (above + margin, below + margin), (high + margin, low + margin)
         return replace(self, whole=whole, faded=faded, kept=self.kept + margin)
+
+
+class Standing(Protocol):
+    """Where the columns of both sides are along a slit."""
+
+    @property
+    def at(self) -> FloatArray:
+        """Those of the upper side (I,), in increasing order."""
+        ...
+
+    @property
+    def lower_at(self) -> FloatArray:
+        """Those of the lower side (I,), in increasing order."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +117,7 @@ class SlitColumns:
         at = np.take_along_axis(self.frame.along(places), lowest, axis=1)[:, 0]
         return np.maximum.accumulate(at), sign * np.take_along_axis(height, lowest, axis=1)[:, 0]
 
-    def part(self, here: Float32Array, reading: Reading, up: FloatArray, down: FloatArray) -> None:
+    def part(self, here: Float32Array, reading: Standing, up: FloatArray, down: FloatArray) -> None:
         """Move the upper side up and the lower one down by millimetres (I,) at the upper side's columns, in place."""
         below = np.interp(reading.lower_at, reading.at, down)
         by = self.upper_spread @ up.astype(np.float32) - self.lower_spread @ below.astype(np.float32)

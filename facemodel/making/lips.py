@@ -8,6 +8,7 @@ import numpy as np
 
 from facemodel.contact.contact import live_at_rest
 from facemodel.contact.lips import LIPS, lay_lips
+from facemodel.contact.meeting import FAR
 from facemodel.face import Face
 from facemodel.sampling import ELEMENTS, display_surface, head_surface, points_of_vertices
 from fem.types import Float32Array
@@ -25,7 +26,7 @@ DENSITY = 3
 """Segments per edge of an element on which the lips are compared, as they are drawn."""
 
 
-CLOSING = replace(LIPS, corner=LIPS.end)
+CLOSING = replace(LIPS, end=0.93, corner=0.93, joined=1.0)
 """The skin of the corners is left as it is: closed by force it would be drawn out, and with it the chart."""
 
 
@@ -44,10 +45,10 @@ def with_closed_lips(face: Face) -> Face:
         live = live_at_rest(face, display)
         here = live[rows]
         meeting = mouth.meeting(here)
-        lacking = TOUCH - meeting.gap
+        lacking = np.where(meeting.overlap > -FAR, TOUCH + meeting.overlap, 0.0)
         # In the very corner both lips are one.
         way = (1 - np.linspace(-1, 1, len(lacking)) ** 16) * np.where(lacking > 0, 1 - FLATTENED, 1.0) * lacking
-        mouth.columns.part(here, meeting.reading, way / 2, way / 2)
+        mouth.columns.part(here, meeting, way / 2, way / 2)
         mouth.keep_apart(here, mouth.meeting(here))
         live[rows] = here
         number = points_of_vertices(face, display)
