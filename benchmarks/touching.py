@@ -27,6 +27,16 @@ AROUND = 10.0
 THICK = 8.0
 """Millimetres; what is farther behind a lip than that is not in it but in the open mouth, before its other end."""
 
+BACK = 12.0
+"""Millimetres that the back of a lip goes on beyond the edge at which its skin ends, as its flesh does."""
+
+INSIDE = 0.5
+"""Winding number from which on a place is in a lip.  A place behind its skin need not be: in an open mouth, or with one
+lip behind the other one, what is nearest may face away and yet be met nowhere."""
+
+NOTHING = 0.02
+"""Millimetres that nobody sees: lips that lie on each other."""
+
 ON_EDGE = 1e-3
 """Barycentric coordinates below this are on the edge of a triangle."""
 
@@ -66,17 +76,29 @@ class MouthDepths:
         edge = face.skin.positions[np.concatenate([mouth.upper, mouth.lower])]
         away = KDTree(edge).query(display.points)[0]
         right, left = face.skin.positions[list(mouth.corners)][:, 0]
-        within = np.abs(display.points[:, 0] - (right + left) / 2) < CORNER * (left - right) / 2
-        self._lips = tuple(np.flatnonzero((away < LIP) & within & (upper == up)) for up in (True, False))
-        self._patches = tuple(_patch(display.triangles, (away < AROUND) & (upper == up)) for up in (True, False))
+        along = np.abs(display.points[:, 0] - (right + left) / 2) / (left - right) * 2
+        lips, other = (away < LIP) & (along < CORNER), (away < AROUND) & (along < 1)
+        self._lips = tuple(np.flatnonzero(lips & (upper == up)) for up in (True, False))
+        self._patches = tuple(_patch(display.triangles, other & (upper == up)) for up in (True, False))
+        loops = igl.boundary_loop_all(display.triangles)
+        margin = np.isin(np.arange(len(display.points)), np.concatenate([np.array(loop) for loop in loops]))
+        self._inner = tuple(_inner_edge(patch, margin) for patch in self._patches)
         rows = [part for part in face.parts if part.kind == "teeth"]
         self._teeth = tuple((row.name, _patch(row.mesh.triangles, _all(row.mesh.positions))) for row in rows)
 
     def in_each_other(self, posed: Superposition) -> float:
         """How far the skin of one lip is behind the nearest place of the other one, millimetres at most."""
         points = posed.points.astype(np.float64)
-        own, other = self._lips, self._patches[::-1]
-        return max(_behind(points[lip], patch, points) for lip, patch in zip(own, other, strict=True))
+        deepest = 0.0
+        for number, sign in ((0, 1.0), (1, -1.0)):
+            lip = points[self._lips[1 - number]]
+            behind = _behind(lip, self._patches[number], points)
+            deep = np.flatnonzero(behind > max(deepest, NOTHING))
+            if len(deep):
+                flesh = _flesh(points, self._patches[number][0], self._inner[number], sign)
+                inside = igl.winding_number(*flesh, lip[deep]) > INSIDE
+                deepest = max(deepest, float(behind[deep][inside].max(initial=0.0)))
+        return deepest
 
     def in_teeth(self, posed: Superposition) -> float:
         """How far the skin of a lip is behind the front of a row of teeth, millimetres at most."""
@@ -99,8 +121,30 @@ def _patch(triangles: IntArray, chosen: BoolArray) -> Patch:
     return own, border
 
 
-def _behind(points: FloatArray, patch: Patch, surface: FloatArray) -> float:
-    """How far points (n, 3) are behind a surface; what is nearest to its border is beside it."""
+def _inner_edge(patch: Patch, margin: BoolArray) -> IntArray:
+    """The border edges (n, 2) of a lip at which all skin ends, in the direction in which its triangles have them.
+
+    Parameters
+    ----------
+    margin : (P,) which points lie on the border of all skin
+    """
+    loops = [np.array(loop) for loop in igl.boundary_loop_all(patch[0])]
+    steps = np.concatenate([np.stack([loop, np.roll(loop, -1)], axis=1) for loop in loops])
+    return np.asarray(steps[margin[steps].all(axis=1)])
+
+
+def _flesh(surface: FloatArray, lip: IntArray, inner: IntArray, sign: float) -> tuple[FloatArray, IntArray]:
+    """A lip with its back, straight up (sign 1) or down (-1) from the edge at which its skin ends within the mouth."""
+    first = len(surface)
+    ends = surface[inner.ravel()] + sign * BACK * np.array([0.0, 1.0, 0.0])
+    over = first + np.arange(len(ends)).reshape(-1, 2)
+    one, other = inner.T
+    back = np.concatenate([np.stack([other, one, over[:, 0]], axis=1), np.stack([other, *over.T], axis=1)])
+    return np.concatenate([surface, ends]), np.concatenate([lip, back])
+
+
+def _behind(points: FloatArray, patch: Patch, surface: FloatArray) -> FloatArray:
+    """How far (n,) points (n, 3) are behind a surface; what is nearest to its border is beside it."""
     triangles, border = patch
     kind = igl.SIGNED_DISTANCE_TYPE_PSEUDONORMAL
     signed, at, nearest, _ = igl.signed_distance(points, surface, triangles, kind)
@@ -109,12 +153,12 @@ def _behind(points: FloatArray, patch: Patch, surface: FloatArray) -> float:
     share = np.linalg.norm(np.stack(opposite, axis=1), axis=2)
     share /= share.sum(axis=1, keepdims=True) + 1e-12
     beside = ((share < ON_EDGE) | border[triangles[at]]).all(axis=1) | (signed < -THICK)
-    return float(np.where(beside, 0.0, -signed).max(initial=0.0))
+    return np.asarray(np.where(beside, 0.0, np.maximum(-signed, 0.0)))
 
 
 def _within(points: FloatArray, teeth: FloatArray, patch: Patch) -> float:
     near = points[((points > teeth.min(axis=0)) & (points < teeth.max(axis=0))).all(axis=1)]
-    return _behind(near, patch, teeth) if len(near) else 0.0
+    return float(_behind(near, patch, teeth).max()) if len(near) else 0.0
 
 
 def seen_of_eyeball(eye: Eye, posed: Superposition) -> float:
