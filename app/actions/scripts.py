@@ -27,7 +27,7 @@ def run_script_file(context: Context, path: Path) -> None:
         text = read_file(path, LARGEST_SCRIPT).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise ProjectError(f"“{path}” is no text in UTF-8; save the script as such, then run it again.") from error
-    outcome = run_script(text, context.document, f"Script {path.stem}")
+    outcome = run_script(text, context.document, f"Script {path.stem}", context.view)
     if outcome.error:
         context.host.show_error(f"{path.name}: {outcome.error}")
     else:

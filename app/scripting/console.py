@@ -13,6 +13,7 @@ from types import CodeType
 from app.document import Document
 from app.scripting.desk import ScriptDesk
 from app.scripting.names import Names
+from app.view import View
 from facemodel.errors import RisoriusError
 
 SCRIPT = "<script>"
@@ -44,10 +45,11 @@ class Console:
     Parameters
     ----------
     document : what is worked on
+    view : what is shown of it, if there is a window
     """
 
-    def __init__(self, document: Document) -> None:
-        self._desk = ScriptDesk(document)
+    def __init__(self, document: Document, view: View | None = None) -> None:
+        self._desk = ScriptDesk(document, view)
         self._interpreter = _Interpreter(Names(self._desk).namespace())
 
     @property
@@ -78,9 +80,9 @@ class Console:
         return Outcome(printed.getvalue())
 
 
-def run_script(text: str, document: Document, label: str = "Script") -> Outcome:
+def run_script(text: str, document: Document, label: str = "Script", view: View | None = None) -> Outcome:
     """Run a script against a document: as one step, or not at all if it raises."""
-    return Console(document).run(text, label)
+    return Console(document, view).run(text, label)
 
 
 class _Interpreter(InteractiveInterpreter):

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from app.document import Document
 from app.tools.ground import Ground
+from app.view import View
 from facemodel.errors import FaceError
 from facemodel.project import Project
 from facemodel.solution import Solution
@@ -17,10 +18,12 @@ class ScriptDesk:
     Parameters
     ----------
     document : the real one
+    view : what is shown of it, if there is a window
     """
 
-    def __init__(self, document: Document) -> None:
-        self._real = document
+    def __init__(self, document: Document, view: View | None = None) -> None:
+        self._real, self._view = document, view
+        self._linear: bool | None = None
         self.document = Document(document.project, document.path)
         self.ground = Ground()
 
@@ -32,13 +35,28 @@ class ScriptDesk:
     def begin(self) -> None:
         """Start from what the real document is now."""
         self._real.commit()
+        self._linear = None
         self.document = Document(self._real.project, self._real.path)
 
     def keep(self, label: str) -> None:
         """Make what was done one step of the real document; nothing if nothing was done."""
         self.document.commit()
+        if self._view is not None and self._linear is not None:
+            self._view.change(linear=self._linear)
         if self.document.project is not self._real.project:
             self._real.edit(self.document.project, label)
+
+    def show_linear(self, on: bool) -> None:
+        """Show the pure linear sum, or no longer, if all of the script goes well; that is no step.
+
+        Raises
+        ------
+        FaceError
+            If nothing is shown.
+        """
+        if self._view is None:
+            raise FaceError("There is no window here that could show the pure linear sum; open the project in one.")
+        self._linear = on
 
     def edit(self, change: Callable[[Project], Project], label: str) -> None:
         """Change the project by a pure function, as one step that the script itself may undo."""

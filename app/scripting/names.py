@@ -54,6 +54,10 @@ class Names:
         animating["export_animation"] = self._exporting.export_animation
         return {**own, **painting, **animating, **self._laying.namespace(), "skull": skull, "np": np}
 
+    def linear_sum(self, on: bool = True) -> None:
+        """Show the pure linear sum of the fields: no arc of the jaw, nothing that lids and lips meet; or no longer."""
+        self._desk.show_linear(on)
+
     def face(self) -> Face:
         """The face as it is now, a frozen value."""
         return self._desk.project.face

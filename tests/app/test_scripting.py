@@ -8,6 +8,7 @@ import pytest
 from app.authoring.bare import bare_project
 from app.document import Document
 from app.scripting import Console, run_script
+from app.view import View
 from facemodel.laying.collection import muscle_of
 from facemodel.project import Project
 from facemodel.projects import new_project
@@ -270,3 +271,13 @@ def test_models_are_compared_by_script(document: Document) -> None:
     assert set(found) == {"fibre", "quadrilateral", "cosine"}
     assert found["fibre"][1] == pytest.approx(1.0)
     assert all(largest > 0 for largest, _ in found.values())
+
+
+def test_a_script_switches_the_pure_linear_sum_of_a_view(document: Document) -> None:
+    view = View()
+    assert run_script("linear_sum()", document, view=view).error == ""
+    assert view.state.linear
+    assert run_script("linear_sum(False)\nraise OSError", document, view=view).error
+    assert view.state.linear
+    assert "no window" in run_script("linear_sum()", document).error
+    assert document.history.done == ()

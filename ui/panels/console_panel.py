@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPlainTextEdit, QVBoxLayout, 
 
 from app.document import Document
 from app.scripting import Console, Outcome
+from app.view import View
 from ui.theme.apply import current_theme
 from ui.theme.metrics import GRID, TYPE
 from ui.widgets.history_line import HistoryLine
@@ -29,11 +30,12 @@ class ConsolePanel(QWidget):
     Parameters
     ----------
     document : what is worked on
+    view : what is shown of it
     """
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document, view: View) -> None:
         super().__init__()
-        self._console = Console(document)
+        self._console = Console(document, view)
         self._block: list[str] = []
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)

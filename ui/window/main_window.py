@@ -169,7 +169,7 @@ class MainWindow(QMainWindow):
             "timeline": self.timeline.dock,
             "workspace": Dock("workspace", "Expression", self.panels),
             "information": Dock("information", "Face information", FaceInformation(document)),
-            "console": Dock("console", "Console", ConsolePanel(document)),
+            "console": Dock("console", "Console", ConsolePanel(document, self.context.view)),
         }
 
     def _place_docks(self) -> None:

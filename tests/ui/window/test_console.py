@@ -1,11 +1,13 @@
 """The console does what the mouse does: typed, run as one step, taken back by the usual keys."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
 from tests.ui.hands import drag
+from tests.ui.window.seen import points
 from ui.panels.console_panel import EXAMPLES, GOES_ON, PROMPT, WELCOME, ConsolePanel
 from ui.window.main_window import MainWindow
 
@@ -110,3 +112,19 @@ def test_up_and_down_go_through_what_was_entered(console) -> None:
         QTest.keyClick(console.line, key)
         seen.append(console.line.text())
     assert seen == ["2 + 2", "1 + 1", "1 + 1", "2 + 2", "draft"]
+
+
+def test_the_pure_linear_sum_is_shown_and_left_again_without_a_step(qtbot, window, document, console) -> None:
+    document.set_weights({"24": 1.0, "17": 1.0})
+    kept, steps = points(window), document.history.done
+    switch = window.binding.qt["view.linear"]
+    assert enter(console, "linear_sum()") == ""
+    qtbot.waitUntil(switch.isChecked)
+    straight = points(window)
+    assert np.abs(straight - kept).max() > 0.5
+    assert "stopped" in enter(console, "linear_sum(False); au('nobody')")
+    assert np.abs(points(window) - straight).max() < 1e-4
+    assert enter(console, "linear_sum(False)") == ""
+    qtbot.waitUntil(lambda: not switch.isChecked())
+    assert np.abs(points(window) - kept).max() < 1e-4
+    assert document.history.done == steps
