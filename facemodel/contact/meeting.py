@@ -16,8 +16,8 @@ WIDTHS, DEPTHS = 41, 26
 ASIDE = 2.0
 """Millimetres beyond the outermost columns that lips are compared."""
 
-ON = 5.0
-"""Millimetres over which a lip goes on beyond its ends, so that there is something to interpolate up to them."""
+ON = 12.0
+"""Millimetres over which a lip goes on level beyond its ends, so that a short column beside a long one is no hole."""
 
 FAR = 1e3
 """Millimetres; a lip that is not there is so far away."""
