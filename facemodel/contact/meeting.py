@@ -19,6 +19,9 @@ ASIDE = 2.0
 ON = 12.0
 """Millimetres over which a lip goes on level beyond its ends, so that a short column beside a long one is no hole."""
 
+NEXT = 0.6
+"""Millimetres beyond its ends within which a lip still counts as being there: columns lie that far apart."""
+
 FAR = 1e3
 """Millimetres; a lip that is not there is so far away."""
 
@@ -106,7 +109,7 @@ class _Profile:
             for each in (low, self._beyond(deep))
         )
         aside = np.maximum(first - across[:, None], across[:, None] - last)
-        there = (aside <= 0) & (ends <= 0)
+        there = (aside <= NEXT) & (ends <= NEXT)
         near = (aside < ON) & (ends < ON)
         return np.where(near, filled, FAR), np.asarray(there)
 
