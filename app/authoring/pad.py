@@ -54,12 +54,18 @@ def free_place(project: Project) -> Place:
 
 
 def arranged(project: Project) -> Project:
-    """A project in which all expressions lie on a circle, in their order, the first one on top."""
-    turns = np.linspace(0, 2 * np.pi, len(project.emotions), endpoint=False)
+    """A project in which all expressions lie on a circle, in their order, the first one on top.
+
+    Variants of one that is there are left off: they would crowd it, and each can be laid where a hand wants it.
+    """
+    names = {emotion.name for emotion in project.emotions}
+    laid = [emotion.name for emotion in project.emotions if emotion.family not in names]
+    turns = dict(zip(laid, np.linspace(0, 2 * np.pi, len(laid), endpoint=False), strict=True))
     return replace(
         project,
         emotions=tuple(
-            replace(emotion, place=_on_circle(turn)) for emotion, turn in zip(project.emotions, turns, strict=True)
+            replace(emotion, place=_on_circle(turns[emotion.name]) if emotion.name in turns else None)
+            for emotion in project.emotions
         ),
     )
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from app.authoring import pad
 from app.authoring.emotions import with_expression
 from app.errors import UnitError
-from facemodel.actions import expand
+from facemodel.actions import Emotion, expand
 from facemodel.io.project_file import project_bytes, project_of
 from facemodel.project import Project
 from tests.app.conftest import small_project
@@ -42,6 +42,14 @@ def test_places_are_kept_in_the_file_and_through_a_change_of_the_weights(laid: P
     for wrong in ((1.1, 0.5), (0.5, float("nan"))):
         with pytest.raises(UnitError, match="pad"):
             pad.with_place(laid, "happiness", wrong)
+
+
+def test_variants_are_left_off_the_circle(project: Project) -> None:
+    varied = replace(project, emotions=(*project.emotions, Emotion("happiness, shy", {"12": 0.4})))
+    first, *others, variant = pad.arranged(varied).emotions
+    assert first.place is not None
+    assert all(each.place is not None for each in others)
+    assert variant.place is None
 
 
 def test_arranged_on_a_circle_all_are_as_far_from_the_middle_and_from_each_other(project: Project) -> None:
