@@ -46,7 +46,7 @@ def random_basis(display: DisplaySurface) -> Basis:
     for row in range(FIELDS):
         moved[row] = rng.random(moved.shape[1], dtype=np.float32) * 0.02
         slopes[row] = rng.random(slopes.shape[1], dtype=np.float32) * 0.001
-    return Basis(tuple(f"field {k}" for k in range(FIELDS)), display, moved, slopes, np.zeros((FIELDS, 2)))
+    return Basis(tuple(f"field {k}" for k in range(FIELDS)), display, moved, slopes, np.zeros((FIELDS, 3)))
 
 
 def refined(face: Face, count: int) -> Face:

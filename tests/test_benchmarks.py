@@ -10,9 +10,10 @@ import pytest
 
 from benchmarks.figure import Figure, compared, interleaved
 from benchmarks.report import table, write
-from benchmarks.shapes import default_face, refined
+from benchmarks.shapes import default_face, drawn, random_basis, refined
 from facemodel.chart import chart_figures
 from facemodel.face import Face
+from facemodel.superposition import Superposition
 
 
 @pytest.fixture(scope="module")
@@ -84,3 +85,11 @@ def test_an_unknown_benchmark_is_answered_with_those_there_are(repository: Path)
     assert (
         "superposition, frames, solving, growth, start, authoring, animation, timeline, contact, exports" in done.stderr
     )
+
+
+def test_fields_without_meaning_can_be_posed_like_those_of_a_face() -> None:
+    basis = random_basis(drawn(1))
+    posed = Superposition(default_face(), basis)
+    posed.pose(dict.fromkeys(basis.names, 0.2))
+    assert np.isfinite(posed.points).all()
+    assert np.abs(posed.points - basis.display.points).max() > 0
