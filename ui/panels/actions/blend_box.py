@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtCore import QPoint, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
@@ -13,10 +11,10 @@ from app.authoring.blending import shares
 from app.authoring.pad import AT_REST, MIDDLE, arranged, blend_at, emptied, free_place, on_pad, parts_on, with_place
 from app.weights import whole_expression
 from facemodel.actions import Place
-from facemodel.errors import RisoriusError
 from facemodel.project import Project
 from ui.panels.actions.tool_button import tool_button
 from ui.panels.live_edit import LiveEdit
+from ui.panels.telling import step, told
 from ui.portraits import NEUTRAL, Portraits
 from ui.theme.metrics import GRID
 from ui.widgets.blend_pad import BlendPad, Knot
@@ -94,7 +92,7 @@ class BlendBox(QWidget):
         """Show what is seen at a place of the pad, as long as the hand is there."""
         self._pointer = x, y
         document = self._context.document
-        if self._told(lambda: document.preview(self._blend(document.project))):
+        if told(self._context, lambda: document.preview(self._blend(document.project))):
             self._show_numbers()
             self._show_pointer()
 
@@ -115,7 +113,7 @@ class BlendBox(QWidget):
         title = name.capitalize()
         at = (float(place[0]), float(place[1])) if isinstance(place, tuple) else None
         label = f"Place {title}" if at else f"Take {title} off the pad"
-        self._step(lambda project: with_place(project, name, at), label)
+        step(self._context, lambda project: with_place(project, name, at), label)
         self.pick(name)
         self.chosen.emit(name)
 
@@ -125,10 +123,10 @@ class BlendBox(QWidget):
         self._place(self._picked, None if there else free_place(self._context.document.project))
 
     def _arrange(self) -> None:
-        self._step(arranged, "Arrange the pad")
+        step(self._context, arranged, "Arrange the pad")
 
     def _empty(self) -> None:
-        self._step(emptied, "Empty the pad")
+        step(self._context, emptied, "Empty the pad")
 
     def _type(self, bar: NumberBar, value: float) -> None:
         """A number of the place that is picked, or else of the pointer."""
@@ -138,7 +136,7 @@ class BlendBox(QWidget):
             self.point(x, y)
         else:
             label = f"Place {self._picked.capitalize()}"
-            self._told(lambda: self._live.propose(lambda p: with_place(p, self._picked, (x, y)), label))
+            told(self._context, lambda: self._live.propose(lambda p: with_place(p, self._picked, (x, y)), label))
 
     def _let_go(self) -> None:
         if self._live.under_way:
@@ -186,19 +184,6 @@ class BlendBox(QWidget):
             shown = {name: weight for name, weight in document.shown.items() if weight}
             meant = wanted == shown
         self.pad.show_blend(self._pointer, found, meant)
-
-    def _step(self, change: Callable[[Project], Project], label: str) -> bool:
-        document = self._context.document
-        return self._told(lambda: document.edit(change(document.project), label))
-
-    def _told(self, act: Callable[[], None]) -> bool:
-        """Do something; what is wrong with it is told."""
-        try:
-            act()
-        except RisoriusError as error:
-            self._context.host.show_message(str(error))
-            return False
-        return True
 
     def _connect(self) -> None:
         document, pad = self._context.document, self.pad

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QListWidgetItem, QVBoxLayout, QWidget
 
@@ -13,10 +11,10 @@ from app.expression_clipboard import expressions_of, expressions_text, told, wei
 from app.expression_text import parse_expression
 from facemodel.actions import Emotion, Expression, expand
 from facemodel.errors import RisoriusError
-from facemodel.project import Project
 from ui.panels.actions.expression_rows import NAME, PLACED, PORTRAIT, RECIPE, SHOWN, ExpressionRows
 from ui.panels.actions.tool_button import tool_button
 from ui.panels.emotion_match import shown_strength
+from ui.panels.telling import step
 from ui.portraits import Portraits
 from ui.theme.metrics import GRID
 from ui.widgets.standing_line import StandingLine
@@ -82,7 +80,7 @@ class ExpressionList(QWidget):
         """Keep the sliders as a new expression, whose name can be typed at once."""
         document = self._context.document
         name = free_name(document.project)
-        if self._step(lambda project: with_expression(project, name, document.shown), "Keep expression"):
+        if step(self._context, lambda project: with_expression(project, name, document.shown), "Keep expression"):
             self.choose(name)
             self.names.editItem(self.names.currentItem())
 
@@ -90,7 +88,7 @@ class ExpressionList(QWidget):
         """Make the chosen expression what the sliders are now."""
         emotion, document = self.chosen, self._context.document
         if emotion is not None:
-            self._step(lambda p: with_expression(p, emotion.name, document.shown), f"Change {emotion.title}")
+            step(self._context, lambda p: with_expression(p, emotion.name, document.shown), f"Change {emotion.title}")
 
     def load(self) -> None:
         """Show the chosen expression."""
@@ -122,7 +120,7 @@ class ExpressionList(QWidget):
         """Delete the chosen expression."""
         emotion = self.chosen
         if emotion is not None:
-            self._step(lambda project: without(project, [emotion.name]), f"Delete {emotion.title}")
+            step(self._context, lambda project: without(project, [emotion.name]), f"Delete {emotion.title}")
 
     def _item(self, name: str) -> QListWidgetItem | None:
         rows = (self.names.item(row) for row in range(self.names.count()))
@@ -131,7 +129,7 @@ class ExpressionList(QWidget):
     def _step_by(self, by: int) -> None:
         emotion, row = self.chosen, self.names.currentRow()
         if emotion is not None and 0 <= row + by < self.names.count():
-            self._step(lambda project: moved(project, emotion.name, row + by), f"Move {emotion.title}")
+            step(self._context, lambda project: moved(project, emotion.name, row + by), f"Move {emotion.title}")
 
     def _put(self, name: object, place: object) -> None:
         """Put a row that was dragged in front of the one at a place."""
@@ -139,12 +137,12 @@ class ExpressionList(QWidget):
         at = names.index(str(name))
         to = int(place) - (int(place) > at)  # type: ignore[call-overload]
         if to != at:
-            self._step(lambda project: moved(project, str(name), to), f"Move {str(name).capitalize()}")
+            step(self._context, lambda project: moved(project, str(name), to), f"Move {str(name).capitalize()}")
         self.choose(str(name))
 
     def _rename(self, item: QListWidgetItem) -> None:
         old, new = item.data(NAME), item.text().strip()
-        if new.lower() == old.lower() or not self._step(lambda p: renamed(p, old, new), f"Rename {old}"):
+        if new.lower() == old.lower() or not step(self._context, lambda p: renamed(p, old, new), f"Rename {old}"):
             self.show_emotions()
             return
         self.choose(new)
@@ -155,19 +153,10 @@ class ExpressionList(QWidget):
         if emotion is None:
             return
         label = f"Change {emotion.title}"
-        if self._step(lambda p: with_expression(p, emotion.name, parse_expression(typed, p.units)), label):
+        if step(self._context, lambda p: with_expression(p, emotion.name, parse_expression(typed, p.units)), label):
             self.text.accept_typed(self._weights())
         else:
             self.text.refuse()
-
-    def _step(self, change: Callable[[Project], Project], label: str) -> bool:
-        document = self._context.document
-        try:
-            document.edit(change(document.project), label)
-        except RisoriusError as error:
-            self._context.host.show_message(str(error))
-            return False
-        return True
 
     def _show_portrait(self, name: str) -> None:
         item = self._item(name)

@@ -10,10 +10,10 @@ from app.actions.action import Action, perform
 from app.actions.context import Context
 from app.authoring.ordering import listed
 from app.authoring.sculpting import farthest, layers_of, with_amount, with_switch
-from facemodel.errors import RisoriusError
 from ui.panels.actions.sculpt_deeds import SCULPT_ACTIONS, copy
 from ui.panels.actions.unit_deeds import in_hand
 from ui.panels.live_edit import LiveEdit
+from ui.panels.telling import told
 from ui.panels.unit_text import unit_title
 from ui.theme.metrics import GRID
 from ui.widgets.number_bar import NumberBar
@@ -103,10 +103,7 @@ class SculptLayerBox(QWidget):
 
     def _told(self, act: Callable[[], None]) -> None:
         """Do something; what is wrong with it is told."""
-        try:
-            act()
-        except RisoriusError as error:
-            self._context.host.show_message(str(error))
+        if not told(self._context, act):
             self.show_unit()
 
     def _deed(self, title: str, action: Action) -> QPushButton:

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QLabel, QLineEdit, QWidget
 
 from app.actions.context import Context
 from app.authoring.units import renamed, renumbered, with_group, with_note
 from facemodel.actions import GROUP_TITLES, ActionUnit
-from facemodel.errors import RisoriusError
-from facemodel.project import Project
 from ui.panels.actions.unit_deeds import in_hand
+from ui.panels.telling import step
 from ui.panels.unit_text import unit_title
 from ui.theme.metrics import GRID
 
@@ -60,7 +57,7 @@ class UnitHead(QWidget):
         unit = self._unit
         wanted = self.name.text().strip()
         if unit is not None and wanted and wanted.lower() != unit.name.lower():
-            self._step(lambda project: renamed(project, unit.number, wanted), f"Rename {unit_title(unit)}")
+            step(self._context, lambda project: renamed(project, unit.number, wanted), f"Rename {unit_title(unit)}")
         self._correct()
 
     def _renumber(self) -> None:
@@ -68,7 +65,7 @@ class UnitHead(QWidget):
         text = self.number.text().strip()
         if unit is not None and text.isdecimal() and int(text) != unit.number:
             label = f"Number of {unit_title(unit)}"
-            if self._step(lambda project: renumbered(project, unit.number, int(text)), label):
+            if step(self._context, lambda project: renumbered(project, unit.number, int(text)), label):
                 self._context.view.change(unit=int(text))
         self._correct()
 
@@ -76,23 +73,13 @@ class UnitHead(QWidget):
         unit = self._unit
         text = self.note.text().strip()
         if unit is not None and text != one_line(unit.note):
-            self._step(lambda project: with_note(project, unit.number, text), f"Note of {unit_title(unit)}")
+            step(self._context, lambda project: with_note(project, unit.number, text), f"Note of {unit_title(unit)}")
         self._correct()
 
     def _regroup(self) -> None:
         unit, group = self._unit, self.group.currentData()
         if unit is not None and group != unit.group:
-            self._step(lambda project: with_group(project, unit.number, group), f"Group of {unit_title(unit)}")
-
-    def _step(self, change: Callable[[Project], Project], label: str) -> bool:
-        """Change the project in one step; what is wrong with it is told."""
-        document = self._context.document
-        try:
-            document.edit(change(document.project), label)
-        except RisoriusError as error:
-            self._context.host.show_message(str(error))
-            return False
-        return True
+            step(self._context, lambda project: with_group(project, unit.number, group), f"Group of {unit_title(unit)}")
 
     def _correct(self) -> None:
         """Show what stands in place of what could not be taken, even where the keyboard still is."""

@@ -7,7 +7,6 @@ from functools import partial
 
 from app.actions.context import Context
 from app.tools.locks import locked_among, refuse_locked
-from facemodel.errors import RisoriusError
 from facemodel.laying.collection import muscle_of, with_muscle
 from facemodel.laying.sides import partner
 from facemodel.muscles import Muscle
@@ -15,6 +14,7 @@ from facemodel.project import Project
 from facemodel.sameness import same
 from ui.panels.live_edit import LiveEdit
 from ui.panels.muscles.selection import chosen, in_step, titles
+from ui.panels.telling import told
 
 Change = Callable[[Muscle], Muscle]
 
@@ -86,10 +86,7 @@ class MuscleEdit:
 
     def told(self, act: Callable[[], None]) -> None:
         """Do something; what is wrong with it is told, and what is shown is what stands."""
-        try:
-            act()
-        except RisoriusError as error:
-            self.context.host.show_message(str(error))
+        if not told(self.context, act):
             self._refused()
 
 
