@@ -79,37 +79,13 @@ def photograph(window: QWidget, name: str) -> None:
     print(f"docs/images/{name}.png")
 
 
-def editor(theme: str, emotion: str, name: str, workspaces: tuple[str, ...] = ()) -> None:
-    """Photograph the editor on the default face with an emotion, then other workspaces."""
+@contextmanager
+def opened(theme: str = "dark") -> Iterator[Hand]:
+    """A hand on the editor, as it opens for the first time; it is closed without a question."""
     app = make_application()
     with tempfile.TemporaryDirectory() as folder:
         settings = UserSettings(Path(folder) / "preferences.json")
         settings.change(theme=theme, hint_done=True)
-        follow_theme(app, settings)
-        document = Document(new_project())
-        window = make_window(document, settings, Preparation(), solve_cached)
-        window.resize(*SIZE)
-        window.move(0, 0)
-        window.show()
-        wait(app, lambda: document.solution is not None and window.viewport.shows_face)
-        document.apply_emotion(emotion)
-        rest(app)
-        photograph(window, name)
-        for workspace in workspaces:
-            window.context.view.change(workspace=workspace, muscle=MUSCLE if workspace == "muscles" else "")
-            rest(app)
-            photograph(window, workspace)
-        document.undo()
-        window.close()
-
-
-@contextmanager
-def opened() -> Iterator[Hand]:
-    """A hand on the editor in the dark, as it opens for the first time; it is closed without a question."""
-    app = make_application()
-    with tempfile.TemporaryDirectory() as folder:
-        settings = UserSettings(Path(folder) / "preferences.json")
-        settings.change(hint_done=True)
         follow_theme(app, settings)
         document = Document(new_project())
         window = make_window(document, settings, Preparation(), solve_cached)
@@ -127,6 +103,17 @@ def opened() -> Iterator[Hand]:
         document.reset_expression()
         document.save(Path(folder) / "seen.risorius")
         window.close()
+
+
+def editor(theme: str, emotion: str, name: str, workspaces: tuple[str, ...] = ()) -> None:
+    """Photograph the editor on the default face with an emotion, then other workspaces."""
+    with opened(theme) as hand:
+        hand.window.context.document.apply_emotion(emotion)
+        hand.photograph(name)
+        for title in workspaces:
+            view = hand.window.context.view
+            view.change(workspace=title, muscle=MUSCLE if title == "muscles" else "")
+            hand.photograph(title)
 
 
 def first_face() -> None:
