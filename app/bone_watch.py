@@ -33,11 +33,6 @@ class BoneWatch:
         self.found: Findings | None = None
 
     @property
-    def attended(self) -> bool:
-        """Whether it looks."""
-        return self._job is not None
-
-    @property
     def current(self) -> bool:
         """Whether what was found holds for the document as it is."""
         return self.found is not None and _same_bone(self.found.face, self._document.project.face)

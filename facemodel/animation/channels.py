@@ -84,8 +84,3 @@ def mirrored(name: str) -> str:
 
 
 _OTHER = {"L": "R", "R": "L"}
-
-
-def unpaired(name: str) -> str:
-    """What a channel and its mirror image have in common, for listing them as one: ``12`` for ``12L``."""
-    return name[:-1] if mirrored(name) != name and name not in RIGID else name

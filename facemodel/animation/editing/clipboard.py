@@ -18,7 +18,6 @@ from facemodel.animation.editing.selection import (
     Selection,
     curve_of_row,
     kept_in_range,
-    selected,
     span,
     with_row,
 )
@@ -102,12 +101,3 @@ def mirrored_keys(
     begin, _ = span(animation, selection)
     other = on_other_side(copied_keys(animation, selection))
     return pasted_keys(deleted_keys(animation, selection), other, begin, units=units)
-
-
-def copied_from(animation: Animation, start: float, end: float) -> Copied:
-    """All keys of a stretch of time, for the clipboard, at times after its start."""
-    chosen = selected(animation, start, end)
-    begin, _ = span(animation, chosen)
-    return {
-        row: replace(keys, times=keys.times + begin - start) for row, keys in copied_keys(animation, chosen).items()
-    }

@@ -26,11 +26,6 @@ BASES = (24, 25, 30, 48, 50, 60, 120)
 """Frames that a second of timecode may have."""
 
 
-def is_live_link(names: tuple[str, ...]) -> bool:
-    """Whether a heading is that of Live Link Face."""
-    return "timecode" in {name.casefold() for name in names} and is_arkit(names)
-
-
 def is_arkit(names: tuple[str, ...]) -> bool:
     """Whether a heading names blend shapes of ARKit."""
     return sum(live_link_name(name) in ARKIT for name in names) >= FEWEST

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
@@ -97,9 +97,3 @@ def push_button(text: str, act: Callable[[], None], tip: str = "") -> QPushButto
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     button.clicked.connect(lambda *_on: act())
     return button
-
-
-def put_all(page: Page, fields: Iterable[FieldBar]) -> None:
-    """Put fields on a page, each in a row of its own."""
-    for field in fields:
-        page.add(field)

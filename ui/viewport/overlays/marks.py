@@ -56,10 +56,6 @@ class Marks:
         shown.SetRenderPointsAsSpheres(not lines)
         self.actor.VisibilityOff()
 
-    def recolour(self, colour: Colour) -> None:
-        """Take another colour."""
-        self.actor.GetProperty().SetColor(*colour)
-
     def show(self, places: FloatArray | Float32Array) -> None:
         """Draw at some places (n, 3), or segments by their ends (2 n, 3); nothing without any."""
         self.actor.SetVisibility(len(places) > 0)
