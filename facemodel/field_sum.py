@@ -33,6 +33,11 @@ def sum_fields(total: Float32Array, rest: Float32Array, fields: Float32Array, we
     weights : (M,) float32
     """
     total[:] = rest
+    add_fields(total, fields, weights)
+
+
+def add_fields(total: Float32Array, fields: Float32Array, weights: Float32Array) -> None:
+    """Add the sum of w_k u_k to a total (n,), in place; see `sum_fields`."""
     active = np.flatnonzero(weights)
     if len(active) <= FEW * len(weights):
         for row in active:

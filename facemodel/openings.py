@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, diags_array
 from scipy.sparse.csgraph import dijkstra
+from scipy.sparse.linalg import splu
 
 from facemodel.face import Eye, Face
 from facemodel.mesh import Mesh
@@ -76,17 +77,24 @@ def on_upper_side(mesh: Mesh, slit: Slit) -> BoolArray:
     """Skin vertices (N,) from which the way over the skin to the upper edge is the shorter one.
 
     Lips that rest on each other are near in space; on the skin they are far from each other.  Beside a corner, which is
-    of both edges, the skin is parted along the line through both corners.
+    of both edges, the skin is parted where a membrane would be halfway that is up along the upper edge and down along
+    the lower one.
     """
     i, j = mesh.edges.T
     length = np.maximum(np.linalg.norm(mesh.positions[i] - mesh.positions[j], axis=1), SHORTEST)
     count = len(mesh.positions)
     graph = csr_array((np.tile(length, 2), (np.concatenate([i, j]), np.concatenate([j, i]))), shape=(count, count))
     upper, lower = (dijkstra(graph, indices=chain, min_only=True) for chain in (slit.upper, slit.lower))
-    right, left = mesh.positions[list(slit.corners)]
-    up = np.cross([0.0, 0.0, 1.0], left - right)
-    above = (mesh.positions - right) @ up >= 0
-    return np.asarray(np.where(np.abs(upper - lower) > ALIKE, upper < lower, above))
+    height = np.where(upper < lower, 1.0, -1.0)
+    open_to_both = ~(np.abs(upper - lower) > ALIKE)
+    open_to_both[slit.upper[1:-1]] = open_to_both[slit.lower[1:-1]] = False
+    height[slit.upper[1:-1]], height[slit.lower[1:-1]] = 1.0, -1.0
+    free = np.flatnonzero(open_to_both)
+    adjacency = mesh.adjacency
+    laplacian = diags_array(np.asarray(adjacency.sum(axis=1)).ravel()) - adjacency
+    held = csr_array(laplacian)[free]
+    height[free] = splu(held[:, free].tocsc()).solve(-(held[:, ~open_to_both] @ height[~open_to_both]))
+    return np.asarray(height > 0)
 
 
 ALIKE = 1.5

@@ -6,10 +6,11 @@ import numpy as np
 
 from facemodel.actions import Expression
 from facemodel.basis import Basis
-from facemodel.contact.contact import Contact, contact_of
+from facemodel.contact.contact import Contact, Untouched, contact_of
+from facemodel.contact.normals import normals_of
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
-from facemodel.field_sum import add_field, sum_fields
+from facemodel.field_sum import add_field, add_fields, sum_fields
 from facemodel.jaw.motion import jaw_motion
 from facemodel.kinematics import NO_TURN, STILL, Rig, Rigid, Stance, stance_of
 from facemodel.sculpting.sampler import DrawnChange
@@ -18,9 +19,6 @@ from fem.types import Float32Array, FloatArray
 
 REFRESH_AFTER = 256
 """Additions after which the sum is formed anew, so that float32 rounding cannot pile up."""
-
-SMALLEST_NORMAL = np.float32(1e-12)
-"""Guards the division where a surface folds onto itself and its normal vanishes."""
 
 
 class Superposition:
@@ -105,10 +103,11 @@ class Superposition:
 
     def _begin(self) -> None:
         """Be at rest."""
+        self._turning = np.flatnonzero(self.basis.jaw.any(axis=1))
         self._weights = np.zeros(len(self.basis.names), dtype=np.float32)
         self._bends = self._bends_of(self._weights)
         self._increments = self.shifts = 0
-        self._touched: Float32Array | None = None
+        self._untouched: Untouched = ()
         self.stance: Stance = stance_of(self.face, STILL.posture(self.face, {}), np.eye(4))
         self._turn_normals()
         self._move_jaw()
@@ -126,7 +125,7 @@ class Superposition:
 
     def settle(self) -> None:
         """Form the sum of the fields anew; what they were shifted by is gone without a trace."""
-        self._touched = None
+        self._untouched = ()
         self._sum(self._weights, self._bends)
         self._finish()
 
@@ -145,8 +144,12 @@ class Superposition:
         if np.array_equal(weights, self._weights) and posture == self.stance.posture:
             return
         self._lift()
-        self._add_up(weights, self._bends_of(weights))
-        self.stance = stance_of(self.face, posture, self._jaw_of(weights))
+        if np.array_equal(weights[self._turning], self._weights[self._turning]):
+            bends, jaw = self._bends, self.jaw
+        else:
+            bends, jaw = self._bends_of(weights), self._jaw_of(weights)
+        self._add_up(weights, bends)
+        self.stance = stance_of(self.face, posture, jaw)
         self._move_jaw()
         self._finish()
 
@@ -169,16 +172,17 @@ class Superposition:
 
     def _lift(self) -> None:
         """Put what contact has moved back to where the sum of the fields has it."""
-        if self._contact is not None and self._touched is not None:
-            self._buffer[: self._live].reshape(-1, 3)[self._contact.rows] = self._touched
+        live = self._buffer[: self._live].reshape(-1, 3)
+        for rows, before in self._untouched:
+            live[rows] = before
+        self._untouched = ()
 
     def _finish(self) -> None:
         """Turn the normals to the slopes, and keep the skin from going through what it meets."""
         self._turn_normals()
         if self._contact is not None:
             live = self._buffer[: self._live].reshape(-1, 3)
-            self._touched = live[self._contact.rows]
-            self._contact.settle(live, self.normals, self._slopes.reshape(6, -1), self.stance)
+            self._untouched = self._contact.settle(live, self.normals, self._slopes.reshape(6, -1), self.stance)
 
     def _add(self, row: int, weight: float) -> None:
         named, arc = len(self.basis.names), self.basis.arc
@@ -193,18 +197,16 @@ class Superposition:
         self._increments = self.shifts = 0
         sum_fields(self._buffer[: self._live], self._rest, self.basis.fields, weights)
         sum_fields(self._slopes, self._rest_slopes, self.basis.slopes, weights)
-        for mode in np.flatnonzero(bends).tolist():
-            self._add(len(self.basis.names) + mode, float(bends[mode]))
+        if self.basis.arc is not None and bends.any():
+            add_fields(self._buffer[: self._live], self.basis.arc.fields, bends)
+            add_fields(self._slopes, self.basis.arc.slopes, bends)
 
     def _turn_normals(self) -> None:
         """Normals of the moving skin as the cross product of its slopes; at rest the very ones of the display."""
         if not self._weights.any():
             self.normals[:] = self.basis.display.normals
             return
-        ux, uy, uz, vx, vy, vz = self._slopes.reshape(6, -1)
-        normal = np.stack([uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx])
-        normal /= np.sqrt(np.einsum("ij,ij->j", normal, normal)) + SMALLEST_NORMAL
-        self.normals[: normal.shape[1]] = normal.T
+        normals_of(self._slopes.reshape(6, -1), self.normals)
 
     def _jaw_of(self, weights: Float32Array) -> FloatArray:
         degrees, slide, side = (weights.astype(np.float64) @ self.basis.jaw).tolist()

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import igl
 import numpy as np
 
+from facemodel.compiled import compiled
 from facemodel.mesh import Mesh
-from fem.types import Float32Array, FloatArray
+from fem.types import FloatArray
 
 BEHIND = 10.0
 """Millimetres from the back of a row to the axis from which it is seen: from there every tooth shows its front."""
@@ -25,6 +27,9 @@ ROUND = 2.0
 FAR = 200.0
 """Millimetres from the axis: outside of every head."""
 
+SMALLEST = 1e-6
+"""Millimetres from the axis of an arch, at which there is no way out of it."""
+
 
 @dataclass(frozen=True, eq=False)
 class Arch:
@@ -33,35 +38,61 @@ class Arch:
     Attributes
     ----------
     axis : (2,) x and z of the upright axis that the arch is seen from
-    angles : (D,) from the front, increasing to the left; radians
+    halves : (D,) tangents of half the angle from the front, evenly spaced, increasing to the left
     levels : (L,) increasing height
     reach : (D, L) how far from the axis the front of teeth and gum stands
     """
 
     axis: FloatArray
-    angles: FloatArray
+    halves: FloatArray
     levels: FloatArray
     reach: FloatArray
 
-    def depth(self, points: Float32Array | FloatArray) -> tuple[FloatArray, FloatArray]:
-        """How deep (...,) points (..., 3) are in teeth and gum, below zero outside, and the ways out (..., 3)."""
-        x, z = points[..., 0] - self.axis[0], points[..., 2] - self.axis[1]
-        away, angle = np.hypot(x, z), np.arctan2(x, z)
-        out = np.stack([x, np.zeros_like(x), z], axis=-1) / np.maximum(away, 1e-6)[..., None]
-        return self._reach_at(angle, points[..., 1]) - away, out
+    @property
+    def grid(self) -> ArchGrid:
+        """The same for `depth_in`."""
+        turn, rise = self.halves[1] - self.halves[0], self.levels[1] - self.levels[0]
+        return ArchGrid(self.axis, float(self.halves[0]), float(turn), float(self.levels[0]), float(rise), self.reach)
 
-    def _reach_at(self, angle: FloatArray, level: FloatArray | Float32Array) -> FloatArray:
-        """The reach between the grid's places; none to the sides and below the last row of the grid."""
-        u = (angle - self.angles[0]) / (self.angles[1] - self.angles[0])
-        v = (level - self.levels[0]) / (self.levels[1] - self.levels[0])
-        inside = (u >= 0) & (u <= len(self.angles) - 1) & (v >= 0) & (v <= len(self.levels) - 1)
-        i = np.clip(u.astype(np.int64), 0, len(self.angles) - 2)
-        j = np.clip(v.astype(np.int64), 0, len(self.levels) - 2)
-        s, t = np.clip(u - i, 0, 1), np.clip(v - j, 0, 1)
-        r = self.reach
-        low = r[i, j] * (1 - s) + r[i + 1, j] * s
-        high = r[i, j + 1] * (1 - s) + r[i + 1, j + 1] * s
-        return np.where(inside, low * (1 - t) + high * t, -FAR)
+
+class ArchGrid(NamedTuple):
+    """An arch as numbers.
+
+    Attributes
+    ----------
+    axis, reach : see `Arch`
+    half, level : the first of each
+    turn, rise : steps between them
+    """
+
+    axis: FloatArray
+    half: float
+    turn: float
+    level: float
+    rise: float
+    reach: FloatArray
+
+
+@compiled
+def depth_in(arch: ArchGrid, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """How deep a place is in teeth and gum, below zero outside, and the x and z of the way out.
+
+    Beside the last teeth, and above and below its grid, an arch falls back.
+    """
+    right, front = x - arch.axis[0], z - arch.axis[1]
+    away = max(np.sqrt(right * right + front * front), SMALLEST)
+    directions, levels = arch.reach.shape
+    # The tangent of half an angle needs no arc tangent; straight behind the axis it has no end.
+    half = right / max(away + front, SMALLEST)
+    u, v = (half - arch.half) / arch.turn, (y - arch.level) / arch.rise
+    inside_u, inside_v = min(max(u, 0.0), directions - 1.0), min(max(v, 0.0), levels - 1.0)
+    beside = 2 * abs(u - inside_u) * arch.turn * away + abs(v - inside_v) * arch.rise
+    i, k = min(int(inside_u), directions - 2), min(int(inside_v), levels - 2)
+    s, t = inside_u - i, inside_v - k
+    low = arch.reach[i, k] * (1 - s) + arch.reach[i + 1, k] * s
+    high = arch.reach[i, k + 1] * (1 - s) + arch.reach[i + 1, k + 1] * s
+    reach = low * (1 - t) + high * t - ROUND * beside
+    return reach - away, right / away, front / away
 
 
 def arch_of(mesh: Mesh, upwards: bool) -> Arch | None:
@@ -75,11 +106,12 @@ def arch_of(mesh: Mesh, upwards: bool) -> Arch | None:
     low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
     axis = np.array([(low[0] + high[0]) / 2, low[2] + BEHIND])
     seen = np.arctan2(mesh.positions[:, 0] - axis[0], mesh.positions[:, 2] - axis[1])
-    angles = np.linspace(np.quantile(seen, 0.05), np.quantile(seen, 0.95), DIRECTIONS)
+    first, last = np.tan(np.quantile(seen, [0.05, 0.95]) / 2)
+    halves = np.linspace(first, last, DIRECTIONS)
     root = high[1] if upwards else low[1]
     edge = (low[1] - GUM / 2) if upwards else (high[1] + GUM / 2)
     levels = np.linspace(min(root, edge), max(root, edge), LEVELS)
-    reach = _seen_from_outside(mesh, axis, angles, levels)
+    reach = _seen_from_outside(mesh, axis, 2 * np.arctan(halves), levels)
     if not (reach > -FAR).any(axis=1).all():
         return None
     # From the roots to beyond the cutting edges, where the row falls back.
@@ -89,7 +121,7 @@ def arch_of(mesh: Mesh, upwards: bool) -> Arch | None:
     fall = ROUND * (levels[1] - levels[0])
     for k in range(1, LEVELS):
         columns[:, k] = np.maximum(columns[:, k], columns[:, k - 1] - fall)
-    return _with_gum(axis, angles, levels, columns[:, ::-1] if upwards else columns, upwards)
+    return _with_gum(axis, halves, levels, columns[:, ::-1] if upwards else columns, upwards)
 
 
 def _seen_from_outside(mesh: Mesh, axis: FloatArray, angles: FloatArray, levels: FloatArray) -> FloatArray:
@@ -108,7 +140,7 @@ def _seen_from_outside(mesh: Mesh, axis: FloatArray, angles: FloatArray, levels:
     return np.where(met >= 0, FAR - distance, -FAR).reshape(len(angles), len(levels))
 
 
-def _with_gum(axis: FloatArray, angles: FloatArray, levels: FloatArray, reach: FloatArray, upwards: bool) -> Arch:
+def _with_gum(axis: FloatArray, halves: FloatArray, levels: FloatArray, reach: FloatArray, upwards: bool) -> Arch:
     """The arch with levels beyond the roots, where it stands out as far as at them."""
     step = levels[1] - levels[0]
     extra = int(np.ceil(GUM / step))
@@ -119,4 +151,4 @@ def _with_gum(axis: FloatArray, angles: FloatArray, levels: FloatArray, reach: F
     else:
         levels = np.concatenate([levels[0] - more[::-1], levels])
         reach = np.concatenate([np.repeat(reach[:, :1], extra, axis=1), reach], axis=1)
-    return Arch(axis, angles, levels, reach)
+    return Arch(axis, halves, levels, reach)

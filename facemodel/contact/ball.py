@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from facemodel.compiled import compiled
 from facemodel.eyeball import cornea_cap
 from facemodel.face import Eye
 from facemodel.kinematics import Stance
@@ -17,6 +18,9 @@ FRONT = 0.4
 
 CLEARANCE = 0.35
 """Millimetres between the eyeball and the drawn skin of a lid that lies on it."""
+
+ROUNDING = 1e-5
+"""Shares of a distance that are rounding."""
 
 
 class OnEyeball:
@@ -37,26 +41,28 @@ class OnEyeball:
         cornea, curvature = cornea_cap(eye)
         self._spheres = [self._sphere(rest, eye.centre, eye.radius), self._sphere(rest, cornea, curvature)]
 
-    def _sphere(self, rest: Float32Array, centre: FloatArray, radius: float) -> tuple[FloatArray, Float32Array]:
+    def _sphere(self, rest: Float32Array, centre: FloatArray, radius: float) -> tuple[FloatArray, FloatArray]:
         """Centre of a sphere and the least distance (m,) from it of the points near it."""
-        away = np.linalg.norm(rest[self._near] - centre, axis=1)
-        return centre, np.minimum(away, radius + CLEARANCE).astype(np.float32)
+        away = np.linalg.norm(rest[self._near].astype(np.float64) - centre, axis=1)
+        return centre, np.minimum(away, radius + CLEARANCE)
 
     def move(self, here: Float32Array, stance: Stance) -> None:
         """Push what lies too deep out of the eyeball as it is turned, in place."""
         turn = stance.eyes[self._number]
-        lids = here[self._near]
         for centre, least in self._spheres:
-            middle = (turn[:3, :3] @ centre + turn[:3, 3]).astype(np.float32)
-            offset = lids - middle
-            distance = np.sqrt(np.einsum("ij,ij->i", offset, offset))
-            deep = np.flatnonzero(distance < least * (1 - ROUNDING))
-            lids[deep] = middle + offset[deep] * (least[deep] / distance[deep])[:, None]
-        here[self._near] = lids
+            _push(here, self._near, turn[:3, :3] @ centre + turn[:3, 3], least)
 
 
-ROUNDING = np.float32(1e-5)
-"""Shares of a distance that are rounding."""
+@compiled
+def _push(here: Float32Array, near: IntArray, middle: FloatArray, least: FloatArray) -> None:
+    """Push points (n, 3) that are nearer to a middle than the least distance (m,) of each out to it, in place."""
+    for number, i in enumerate(near):
+        x, y, z = here[i, 0] - middle[0], here[i, 1] - middle[1], here[i, 2] - middle[2]
+        square = x * x + y * y + z * z
+        bound = least[number] * (1 - ROUNDING)
+        if square < bound * bound:
+            ratio = least[number] / np.sqrt(square)
+            here[i, 0], here[i, 1], here[i, 2] = middle[0] + x * ratio, middle[1] + y * ratio, middle[2] + z * ratio
 
 
 def near_eyeball(eye: Eye, rest: Float32Array | FloatArray) -> BoolArray:

@@ -11,9 +11,9 @@ import numpy as np
 
 from facemodel.contact.ball import OnEyeball, near_eyeball
 from facemodel.contact.lids import Lids, lay_lids
-from facemodel.contact.lips import Lips, lay_lips
+from facemodel.contact.mouth import Mouth, lay_lips
 from facemodel.contact.normals import TurnedNormals
-from facemodel.contact.teeth import BeforeTeeth, rows_of_teeth
+from facemodel.contact.teeth import rows_of_teeth
 from facemodel.display import DisplaySurface
 from facemodel.face import Eye, Face
 from facemodel.kinematics import Stance
@@ -48,25 +48,28 @@ class Site:
     normals: TurnedNormals
     rules: Sequence[Rule]
 
-    def settle(self, live: Float32Array, normals: Float32Array, slopes: Float32Array, stance: Stance) -> None:
-        """Move what has to be moved, in place; see `Contact.settle`."""
-        before = live[self.rows]
+    def settle(
+        self, live: Float32Array, normals: Float32Array, slopes: Float32Array, stance: Stance
+    ) -> Float32Array | None:
+        """Move what has to be moved, in place, and return where its points (n, 3) were; see `Contact.settle`."""
+        before = live.take(self.rows, axis=0)
         here = before.copy()
         for rule in self.rules:
             rule.move(here, stance)
         moved = here - before
-        if moved.any():
-            live[self.rows] = here
-            self.normals.turn(normals, slopes, moved[self.skin :])
+        if not moved.any():
+            return None
+        live[self.rows] = here
+        self.normals.turn(normals, slopes, moved[self.skin :])
+        return before
+
+
+Untouched = Sequence[tuple[IntArray, Float32Array]]
+"""Live points (n,), and where they were (n, 3) before contact moved them."""
 
 
 class Contact:
-    """Where the skin of a face meets lids, lips, teeth and eyeballs.
-
-    Attributes
-    ----------
-    rows : (n,) live points that may be moved
-    """
+    """Where the skin of a face meets lids, lips, teeth and eyeballs."""
 
     def __init__(self, face: Face, display: DisplaySurface) -> None:
         self._sites: list[Site] = []
@@ -76,7 +79,6 @@ class Contact:
         mouth = lay_mouth(face, display)
         if mouth is not None:
             self._add(face, display, *mouth)
-        self.rows: IntArray = np.concatenate([np.zeros(0, dtype=np.int64), *(site.rows for site in self._sites)])
 
     def _open_eye(self, face: Face, display: DisplaySurface, eye: Eye, number: int, rest: Float32Array) -> None:
         lids = lay_lids(face, display, eye)
@@ -93,8 +95,8 @@ class Contact:
         skin = int(np.searchsorted(rows, first))
         self._sites.append(Site(rows, skin, TurnedNormals(face, display, rows[skin:] - first), rules))
 
-    def settle(self, live: Float32Array, normals: Float32Array, slopes: Float32Array, stance: Stance) -> None:
-        """Keep the skin from going through what it meets, in place.
+    def settle(self, live: Float32Array, normals: Float32Array, slopes: Float32Array, stance: Stance) -> Untouched:
+        """Keep the skin from going through what it meets, in place, and return what lies otherwise than before.
 
         Parameters
         ----------
@@ -103,8 +105,8 @@ class Contact:
         slopes : (6, S) of the moving skin as the sum of the fields has them
         stance : how jaw, eyes and head stand
         """
-        for site in self._sites:
-            site.settle(live, normals, slopes, stance)
+        found = ((site.rows, site.settle(live, normals, slopes, stance)) for site in self._sites)
+        return [(rows, before) for rows, before in found if before is not None]
 
 
 def lay_mouth(face: Face, display: DisplaySurface) -> tuple[IntArray, Sequence[Rule]] | None:
@@ -112,11 +114,10 @@ def lay_mouth(face: Face, display: DisplaySurface) -> tuple[IntArray, Sequence[R
     mouth = lay_lips(face, display)
     if mouth is None:
         return None
-    rows, lips = mouth
+    rows, pair = mouth
     rest = live_at_rest(face, display)
     skin = int(np.searchsorted(rows, len(rest) - display.moving))
-    teeth = BeforeTeeth(lips.columns, rows_of_teeth(face), skin, rest[rows])
-    return rows, [teeth, Lips(lips, rest[rows])]
+    return rows, [Mouth(pair, rows_of_teeth(face), skin, rest[rows])]
 
 
 def live_at_rest(face: Face, display: DisplaySurface) -> Float32Array:

@@ -6,9 +6,10 @@ import numpy as np
 
 from facemodel.contact.ball import near_eyeball
 from facemodel.contact.drawn import drawn_slit
-from facemodel.contact.frame import Round, axes_between
-from facemodel.contact.laying import slit_columns
-from facemodel.contact.slit import Reach, SlitColumns
+from facemodel.contact.frame import axes_between
+from facemodel.contact.laying import Reach
+from facemodel.contact.lid_columns import LidColumns, Round
+from facemodel.contact.lid_laying import lid_columns
 from facemodel.display import DisplaySurface
 from facemodel.face import Eye, Face
 from facemodel.kinematics import Stance
@@ -31,8 +32,8 @@ UPPER_SHARE = 0.85
 UPPER_FOLLOWS, LOWER_FOLLOWS = 0.5, 0.25
 """How far each lid goes with an eye that looks up or down, as a share of the eye's own way."""
 
-STILL_OPEN = 0.02
-"""Millimetres; lids that are nearer than this are shut."""
+NEARLY = 1.0
+"""Millimetres between lids from which on they are made to meet exactly, the more so the nearer they are."""
 
 
 class Lids:
@@ -50,7 +51,7 @@ class Lids:
     columns : as given
     """
 
-    def __init__(self, columns: SlitColumns, eye: Eye, number: int, rest: Float32Array) -> None:
+    def __init__(self, columns: LidColumns, eye: Eye, number: int, rest: Float32Array) -> None:
         self.columns, self._number = columns, number
         self._radius = eye.radius
         self._open = columns.read(rest).gap
@@ -73,16 +74,15 @@ class Lids:
         up = UPPER_FOLLOWS * way + UPPER_SHARE * change
         down = -LOWER_FOLLOWS * way + (1 - UPPER_SHARE) * change
         self.columns.part(here, edges, up, down)
-        if shut > 0 or (wanted < STILL_OPEN).any():
-            self._finish(here, wanted)
+        self._finish(here, wanted)
 
     def _finish(self, here: Float32Array, wanted: FloatArray) -> None:
-        """Take away what the spread from column to column has smoothed over, in place."""
+        """Take away what the spread from column to column has smoothed over where lids nearly meet, in place."""
         edges = self.columns.read_ends(here)
-        change = wanted - edges.gap
-        self.columns.part(here, edges, UPPER_SHARE * change, (1 - UPPER_SHARE) * change)
-        after = self.columns.read_ends(here)
-        self.columns.keep_apart(here, after, (after.upper + after.lower) / 2, self._spared)
+        change = np.clip((NEARLY - wanted) / NEARLY, 0.0, 1.0) * (wanted - edges.gap)
+        if change.any():
+            self.columns.part(here, edges, UPPER_SHARE * change, (1 - UPPER_SHARE) * change)
+            self.columns.keep_apart(here, self.columns.read_ends(here), self._spared)
 
     def closure(self, here: Float32Array) -> float:
         """How far the middle of an eye is closed on posed points (n, 3): 0 as at rest, 1 shut, more if lids overlap."""
@@ -96,18 +96,18 @@ def _eased(share: float) -> float:
     return t * t * (3 - 2 * t)
 
 
-def lay_lids(face: Face, display: DisplaySurface, eye: Eye) -> tuple[IntArray, SlitColumns] | None:
+def lay_lids(face: Face, display: DisplaySurface, eye: Eye) -> tuple[IntArray, LidColumns] | None:
     """The live points about an eye and the columns of its lids; none on a face whose lids are not open or not known."""
     lids = lids_of(face, eye)
     slit = None if lids is None else drawn_slit(face, display, lids)
     if slit is None:
         return None
-    frame = Round(eye.centre, eye.radius, axes_between(*slit.corners))
+    about = Round(eye.centre, eye.radius, axes_between(*slit.corners).axes)
 
     def edge(places: Float32Array) -> IntArray:
         """Where the margin of a lid turns into its front: the place that stands out most, before the lid draws back."""
-        forward, up = (places @ frame.axes[axis] for axis in (2, 1))
-        level = slit.corners.mean(axis=0) @ frame.axes[1]
+        forward, up = (places @ about.axes[axis] for axis in (2, 1))
+        level = slit.corners.mean(axis=0) @ about.axes[1]
         return np.asarray((forward - np.abs(up - level)).argmax(axis=1))
 
-    return slit_columns(slit, display, frame, LIDS, near_eyeball(eye, slit.rest), edge)
+    return lid_columns(slit, display, about, LIDS, near_eyeball(eye, slit.rest), edge)

@@ -2,26 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from facemodel.contact.drawn import drawn_slit
-from facemodel.contact.frame import Flat, axes_between
-from facemodel.contact.laying import slit_columns
-from facemodel.contact.meeting import Meeting, meeting_of
-from facemodel.contact.slit import Reach, SlitColumns
-from facemodel.display import DisplaySurface
-from facemodel.face import Face
-from facemodel.kinematics import Stance
-from facemodel.openings import mouth_of
+from facemodel.compiled import compiled
+from facemodel.contact.frame import Axes
+from facemodel.contact.laying import COLUMNS
+from facemodel.contact.relief import DEPTHS, WIDTHS, Grid, common_grid, height_at, place_points, raise_relief
+from facemodel.contact.spread import Spread, lift
 from fem.types import Float32Array, FloatArray, IntArray
 
-LIPS = Reach(profile=12.0, whole=(2.0, 2.0), faded=(16.0, 16.0), kept=12.0, end=0.97, joined=0.9)
-"""The red of a lip gives way as a whole; nose and chin stay, so that lips that are pressed get thinner."""
-
 SHARE = 0.5
-"""What the upper lip gives way; the lower one takes the rest."""
+"""What each lip gives way."""
 
 FLATTENED = 0.25
 """Share of an overlap in which lips flatten against each other rather than give way: they are soft."""
@@ -29,12 +22,17 @@ FLATTENED = 0.25
 SOFT = 0.6
 """Millimetres that they flatten at most: more than that would crumple a lip that stands steeply on the other one."""
 
+WAYS = 2
+"""How often lips give way as a whole: where they have moved to they may meet other parts of each other."""
+
+LEFT = 0.15
+"""Millimetres that the second time leaves to each point by itself."""
+
 ROUNDS = 3
-"""How often lips may give way to each other: where they have moved to they may meet other parts of each other."""
+"""How often each point is brought back onto its own side: what it meets there has moved, too."""
 
-LEFT = 0.1
-"""Millimetres that lips may still be in each other before they are parted once more, where they have moved to."""
-
+TOLERATED = 0.04
+"""Millimetres that all times but the first leave as they are; less than the skin between the lips."""
 
 SKIN = 0.05
 """Millimetres between each lip and the face between them: what is drawn is flat from point to point."""
@@ -43,54 +41,55 @@ PRESSED = 2.0
 """Millimetres of overlap from which on nothing is left to be as it is at rest: pressed lips lie flat on each other."""
 
 
-class LipColumns:
-    """The columns of a mouth, and how its lips are kept apart in width and depth.
+class Lip(NamedTuple):
+    """One lip, in numbers of the points about the mouth.
 
     Attributes
     ----------
-    columns : of the slit
-    frame : its axes
+    sign : 1 of the upper lip, -1 of the lower one
+    kept : (m,) points that are kept on their own side
+    hold : (m,) how far they are, from 0 to 1: less and less where skin begins that goes where it will
+    column : (m,) which column each of them is nearest to
+    triangles : (T, 3) drawn of it
+    rim : (E, 2) edges at which its skin ends within the mouth
+    spread : how the points go with the columns where the lips part; nothing at the corners, which are of both
+    whole : the same where both lips go the same way
     """
 
-    def __init__(self, columns: SlitColumns, frame: Flat) -> None:
-        self.columns, self.frame = columns, frame
+    sign: float
+    kept: IntArray
+    hold: FloatArray
+    column: IntArray
+    triangles: IntArray
+    rim: IntArray
+    spread: Spread
+    whole: Spread
 
-    def meeting(self, here: Float32Array) -> Meeting:
-        """How the lips of posed points (n, 3) meet."""
-        return meeting_of(self.columns, self.frame, here)
 
-    def keep_apart(self, here: Float32Array, meeting: Meeting, spared: Sequence[FloatArray] | None = None) -> None:
-        """Bring what is still beyond the face between the lips back onto it, in place.
+class LipPair:
+    """Both lips of a mouth.
 
-        Where the lips are apart each may go up to the other one.
+    Parameters
+    ----------
+    axes : of the mouth
+    upper, lower : its lips
+    """
 
-        Parameters
-        ----------
-        spared : how far the points of the upper and of the lower lip may be beyond it; nothing if not given
-        """
-        for kept, sign, beyond in self._beyond(here, meeting):
-            number = 0 if sign > 0 else 1
-            too_far = beyond if spared is None else beyond - spared[number]
-            if (too_far > 0).any():
-                side = here[kept]
-                self.frame.lift(side, (sign * np.maximum(too_far, 0.0)).astype(np.float32))
-                here[kept] = side
+    def __init__(self, axes: Axes, upper: Lip, lower: Lip) -> None:
+        self.axes, self.upper, self.lower = axes, upper, lower
 
-    def spared(self, rest: Float32Array) -> tuple[FloatArray, FloatArray]:
-        """How far the points of both lips are beyond the face between them at rest (n, 3)."""
-        upper, lower = (np.maximum(beyond, 0.0) for _, _, beyond in self._beyond(rest, self.meeting(rest)))
-        return upper, lower
+    def overlaps(self, here: Float32Array) -> tuple[FloatArray, FloatArray]:
+        """How far the kept points (m,) of both lips are in the other one; below zero where they are apart."""
+        return _overlaps(here, self.axes, self.upper, self.lower)
 
-    def _beyond(self, here: Float32Array, meeting: Meeting) -> Iterator[tuple[IntArray, float, FloatArray]]:
-        """For each lip its kept points, the way out, and how far they are on the wrong side."""
-        apart, middle = meeting.upper > meeting.lower, (meeting.upper + meeting.lower) / 2
-        floor = np.where(apart, meeting.lower, middle) + SKIN
-        ceiling = np.where(apart, meeting.upper, middle) - SKIN
-        sides = ((self.columns.upper_kept, 1.0, floor), (self.columns.lower_kept, -1.0, ceiling))
-        for kept, sign, limit in sides:
-            side = here[kept]
-            line = meeting.between(self.frame.along(side), self.frame.depth(side), limit)
-            yield kept, sign, sign * (line - self.frame.height(side))
+    def part(self, here: Float32Array, rise: FloatArray, fall: FloatArray) -> None:
+        """Move the upper lip up and the lower one down by ways (I,) of their columns, in place."""
+        lift(here, self.upper.spread, rise, self.axes.axes[1])
+        lift(here, self.lower.spread, fall, -self.axes.axes[1])
+
+    def keep_apart(self, here: Float32Array, high: FloatArray, low: FloatArray) -> None:
+        """Bring points that are beyond the face between the lips, by more than is spared of both, onto it, in place."""
+        _keep_apart(here, self.axes, self.upper, self.lower, high, low)
 
 
 class Lips:
@@ -98,48 +97,182 @@ class Lips:
 
     Parameters
     ----------
-    mouth : of the face
+    pair : of the face
     rest : (n, 3) points of the site at rest
     """
 
-    def __init__(self, mouth: LipColumns, rest: Float32Array) -> None:
-        self._mouth = mouth
-        self._resting = np.maximum(mouth.meeting(rest).overlap, 0.0)
-        self._spared = mouth.spared(rest)
+    def __init__(self, pair: LipPair, rest: Float32Array) -> None:
+        self._pair = pair
+        high, low = pair.overlaps(rest)
+        self._resting = np.maximum(high, 0.0), np.maximum(low, 0.0)
+        self._spared = _spared(rest, pair.axes, pair.upper, pair.lower)
 
-    def move(self, here: Float32Array, stance: Stance) -> None:
-        """Part the lips of posed points (n, 3), in place."""
-        meeting = self._mouth.meeting(here)
-        overlap = np.maximum(meeting.overlap - self._resting, 0.0)
-        if not overlap.any():
-            return
-        meeting = self._give_way(here, meeting, np.minimum(FLATTENED * overlap, SOFT))
-        still = 1 - min(float(overlap.max()) / PRESSED, 1.0)
-        spared = [still * each for each in self._spared]
-        for _ in range(ROUNDS):
-            self._mouth.keep_apart(here, meeting, spared)
-            meeting = self._mouth.meeting(here)
-            if meeting.deepest - still * self._resting.max() < LEFT:
-                break
+    def part(self, here: Float32Array) -> float:
+        """Part the lips of posed points (n, 3), in place; how far they were in each other."""
+        pair = self._pair
+        return _part(here, pair.axes, pair.upper, pair.lower, *self._resting, *self._spared)
 
-    def _give_way(self, here: Float32Array, meeting: Meeting, soft: FloatArray) -> Meeting:
-        """Part lips, in place, until no more than is soft (I,) of each column is left, and say how they meet then."""
-        for _ in range(ROUNDS):
-            way = np.maximum(meeting.overlap - self._resting - soft, 0.0)
-            if way.max() < LEFT:
-                break
-            self._mouth.columns.part(here, meeting, SHARE * way, (1 - SHARE) * way)
-            meeting = self._mouth.meeting(here)
-        return meeting
+    def keep_apart(self, here: Float32Array, deepest: float) -> None:
+        """Bring what is beyond the face between the lips onto it, in place.
+
+        Parameters
+        ----------
+        deepest : how far they were in each other before they were parted
+        """
+        still = 1 - min(deepest / PRESSED, 1.0)
+        high, low = self._spared
+        self._pair.keep_apart(here, still * high, still * low)
 
 
-def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[IntArray, LipColumns] | None:
-    """The live points about the mouth and its columns; none on a face without the slit of a mouth."""
-    mouth = mouth_of(face)
-    slit = None if mouth is None else drawn_slit(face, display, mouth)
-    if slit is None:
-        return None
-    right, left = slit.corners
-    frame = Flat((right + left) / 2, axes_between(right, left))
-    laid = slit_columns(slit, display, frame, reach, np.zeros(len(slit.rest), dtype=np.bool_))
-    return None if laid is None else (laid[0], LipColumns(laid[1], frame))
+class LipReading(NamedTuple):
+    """How the lips stand in a pose.
+
+    Attributes
+    ----------
+    places : (n, 3) of the points along, above and before the middle of the mouth
+    over, under : (A, D) reliefs of the upper and of the lower lip
+    grid : on which they are given
+    """
+
+    places: FloatArray
+    over: FloatArray
+    under: FloatArray
+    grid: Grid
+
+
+@compiled
+def _read_lips(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> LipReading:
+    """How lips stand on posed points (n, 3)."""
+    places = np.empty((len(here), 3))
+    place_points(here, axes.middle, axes.axes, places)
+    grid = common_grid(places, upper.kept, lower.kept)
+    over, under = np.empty((WIDTHS, DEPTHS)), np.empty((WIDTHS, DEPTHS))
+    raise_relief(places, upper.triangles, upper.rim, upper.sign, grid, over)
+    raise_relief(places, lower.triangles, lower.rim, lower.sign, grid, under)
+    return LipReading(places, over, under, grid)
+
+
+@compiled
+def _overlaps(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> tuple[FloatArray, FloatArray]:
+    """See `LipPair.overlaps`."""
+    reading = _read_lips(here, axes, upper, lower)
+    return _overlap(reading, upper, reading.under), _overlap(reading, lower, reading.over)
+
+
+@compiled
+def _overlap(reading: LipReading, lip: Lip, other: FloatArray) -> FloatArray:
+    """How far the kept points (m,) of a lip are in the other one, of which the relief is given."""
+    found, places = np.empty(len(lip.kept)), reading.places
+    for number, i in enumerate(lip.kept):
+        there = height_at(other, reading.grid, places[i, 0], places[i, 2])
+        found[number] = -(there + lip.sign * places[i, 1])
+    return found
+
+
+@compiled
+def _beyond(reading: LipReading, lip: Lip, own: FloatArray, other: FloatArray) -> FloatArray:
+    """How far the kept points (m,) of a lip are beyond the face between both, or beyond the other one where it is off.
+
+    The face lies halfway where the lips are in each other.
+    """
+    found, places = np.empty(len(lip.kept)), reading.places
+    for number, i in enumerate(lip.kept):
+        along, depth = places[i, 0], places[i, 2]
+        there = height_at(other, reading.grid, along, depth)
+        gap = height_at(own, reading.grid, along, depth) + there
+        found[number] = SKIN + min(gap, 0.0) / 2 - (there + lip.sign * places[i, 1])
+    return found
+
+
+@compiled
+def _spared(rest: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> tuple[FloatArray, FloatArray]:
+    """How far the kept points of both lips are beyond the face between them at rest, which is left so."""
+    reading = _read_lips(rest, axes, upper, lower)
+    one = np.maximum(_beyond(reading, upper, reading.over, reading.under), 0.0)
+    other = np.maximum(_beyond(reading, lower, reading.under, reading.over), 0.0)
+    return one, other
+
+
+@compiled
+def _ways(overlap: FloatArray, resting: FloatArray, lip: Lip) -> FloatArray:
+    """How much farther than at rest each column (I,) of a lip is in the other one at most."""
+    ways = np.zeros(COLUMNS)
+    for number in range(len(overlap)):
+        column = lip.column[number]
+        ways[column] = max(ways[column], lip.hold[number] * (overlap[number] - resting[number]))
+    return ways
+
+
+@compiled
+def _part(
+    here: Float32Array,
+    axes: Axes,
+    upper: Lip,
+    lower: Lip,
+    resting_high: FloatArray,
+    resting_low: FloatArray,
+    high: FloatArray,
+    low: FloatArray,
+) -> float:
+    """See `Lips.part`; how far the points of both lips rest in each other, and beyond the face between, is given."""
+    deepest = 0.0
+    left_over, left_under = np.zeros(COLUMNS), np.zeros(COLUMNS)
+    reading = _read_lips(here, axes, upper, lower)
+    for turn in range(WAYS):
+        rise = _ways(_overlap(reading, upper, reading.under), resting_high, upper)
+        fall = _ways(_overlap(reading, lower, reading.over), resting_low, lower)
+        if turn == 0:
+            deepest = max(rise.max(), fall.max())
+            left_over, left_under = np.minimum(FLATTENED * rise, SOFT), np.minimum(FLATTENED * fall, SOFT)
+        rise, fall = np.maximum(rise - left_over, 0.0), np.maximum(fall - left_under, 0.0)
+        if not (rise.any() or fall.any()):
+            break
+        lift(here, upper.spread, SHARE * rise, axes.axes[1])
+        lift(here, lower.spread, SHARE * fall, -axes.axes[1])
+        left_over, left_under = left_over + LEFT, left_under + LEFT
+        reading = _read_lips(here, axes, upper, lower)
+    still = 1 - min(deepest / PRESSED, 1.0)
+    _bring_both_back(here, axes, upper, lower, reading, still * high, still * low)
+    return deepest
+
+
+@compiled
+def _keep_apart(here: Float32Array, axes: Axes, upper: Lip, lower: Lip, high: FloatArray, low: FloatArray) -> None:
+    """See `LipPair.keep_apart`."""
+    _bring_both_back(here, axes, upper, lower, _read_lips(here, axes, upper, lower), high, low)
+
+
+@compiled
+def _bring_both_back(
+    here: Float32Array,
+    axes: Axes,
+    upper: Lip,
+    lower: Lip,
+    reading: LipReading,
+    high: FloatArray,
+    low: FloatArray,
+) -> None:
+    """Move the points of both lips that are beyond the face between them onto it, in place."""
+    left = 0.0
+    for turn in range(ROUNDS):
+        one = _beyond(reading, upper, reading.over, reading.under) - high - left
+        other = _beyond(reading, lower, reading.under, reading.over) - low - left
+        moved = _bring_back(here, upper, one, axes)
+        moved = _bring_back(here, lower, other, axes) or moved
+        if not moved or turn == ROUNDS - 1:
+            break
+        left = TOLERATED
+        reading = _read_lips(here, axes, upper, lower)
+
+
+@compiled
+def _bring_back(here: Float32Array, lip: Lip, beyond: FloatArray, axes: Axes) -> bool:
+    """Move the kept points of a lip by what they are beyond (m,), in place; whether any is."""
+    moved = False
+    for number, i in enumerate(lip.kept):
+        by = lip.hold[number] * beyond[number]
+        if by > 0.0:
+            moved = True
+            for axis in range(3):
+                here[i, axis] += lip.sign * by * axes.axes[1, axis]
+    return moved

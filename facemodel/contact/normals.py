@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
+from facemodel.compiled import compiled
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from fem.types import Float32Array, FloatArray, IntArray
@@ -41,25 +42,62 @@ class TurnedNormals:
         places = face.skin.triangles[display.elements[corners]]
         chart = np.zeros((len(display.points), 2))
         chart[corners] = np.einsum("pk,pkc->pc", display.barycentric[corners], face.chart[places])
-        self._d_u, self._d_v = _slopes(chart[triangles], row[triangles], number[triangles], len(points))
+        d_u, d_v = _slopes(chart[triangles], row[triangles], number[triangles], len(points))
+        self._starts, self._points = d_u.indptr.astype(np.int64), d_u.indices.astype(np.int64)
+        self._d_u, self._d_v = d_u.data, d_v.data
 
     def turn(self, normals: Float32Array, slopes: Float32Array, moved: Float32Array) -> None:
-        """Write the normals (P, 3) of `turned` in place.
+        """Write those normals (P, 3) of `turned` in place that turn.
 
         Parameters
         ----------
         slopes : (6, S) of the moving points before they were moved, as `facemodel.basis.Basis.slopes` has them
         moved : (n, 3) by how much
         """
-        here = slopes[:, self.turned].T
-        along_u = here[:, :3] + self._d_u @ moved
-        along_v = here[:, 3:] + self._d_v @ moved
-        normal = np.cross(along_u, along_v)
-        normals[self.turned] = normal / (np.sqrt(np.einsum("ij,ij->i", normal, normal)) + SMALLEST_NORMAL)[:, None]
+        _turn(normals, slopes, moved, self.turned, self._starts, self._points, self._d_u, self._d_v)
+
+
+@compiled
+def _turn(
+    normals: Float32Array,
+    slopes: Float32Array,
+    moved: Float32Array,
+    turned: IntArray,
+    starts: IntArray,
+    points: IntArray,
+    d_u: Float32Array,
+    d_v: Float32Array,
+) -> None:
+    """See `TurnedNormals.turn`; what is not moved keeps the normal that it has."""
+    for row, i in enumerate(turned):
+        ux, uy, uz = slopes[0, i], slopes[1, i], slopes[2, i]
+        vx, vy, vz = slopes[3, i], slopes[4, i], slopes[5, i]
+        still = True
+        for k in range(starts[row], starts[row + 1]):
+            x, y, z = moved[points[k], 0], moved[points[k], 1], moved[points[k], 2]
+            if x != 0 or y != 0 or z != 0:
+                still = False
+                ux, uy, uz = ux + d_u[k] * x, uy + d_u[k] * y, uz + d_u[k] * z
+                vx, vy, vz = vx + d_v[k] * x, vy + d_v[k] * y, vz + d_v[k] * z
+        if not still:
+            nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+            length = np.sqrt(nx * nx + ny * ny + nz * nz) + SMALLEST_NORMAL
+            normals[i, 0], normals[i, 1], normals[i, 2] = nx / length, ny / length, nz / length
+
+
+@compiled
+def normals_of(slopes: Float32Array, normals: Float32Array) -> None:
+    """Write unit normals (P, 3) of the points whose slopes (6, S) are given, the first ones of them."""
+    for i in range(slopes.shape[1]):
+        ux, uy, uz = slopes[0, i], slopes[1, i], slopes[2, i]
+        vx, vy, vz = slopes[3, i], slopes[4, i], slopes[5, i]
+        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        length = np.sqrt(nx * nx + ny * ny + nz * nz) + SMALLEST_NORMAL
+        normals[i, 0], normals[i, 1], normals[i, 2] = nx / length, ny / length, nz / length
 
 
 def _slopes(chart: FloatArray, rows: IntArray, columns: IntArray, count: int) -> tuple[csr_array, csr_array]:
-    """Operators from a motion (count, 3) to its slopes along u and v.
+    """Operators from a motion (count, 3) to its slopes along u and v, with their numbers at the same places.
 
     Parameters
     ----------

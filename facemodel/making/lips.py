@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 
 from facemodel.contact.contact import live_at_rest
-from facemodel.contact.lips import LIPS, lay_lips
-from facemodel.contact.meeting import FAR
+from facemodel.contact.laying import COLUMNS
+from facemodel.contact.lips import LipPair
+from facemodel.contact.mouth import LIPS, lay_lips
 from facemodel.face import Face
 from facemodel.sampling import ELEMENTS, display_surface, head_surface, points_of_vertices
-from fem.types import Float32Array
+from fem.types import Float32Array, FloatArray
 
 TOUCH = 0.05
 """Millimetres between lips that rest on each other: what is drawn of them may round by so much."""
@@ -21,6 +22,9 @@ ROUNDS = 5
 
 FLATTENED = 0.4
 """Share of what lips are in each other by which they flatten rather than part: they are soft."""
+
+APART = 8.0
+"""Millimetres; lips farther apart than that at rest are not one above the other."""
 
 DENSITY = 3
 """Segments per edge of an element on which the lips are compared, as they are drawn."""
@@ -44,16 +48,26 @@ def with_closed_lips(face: Face) -> Face:
         rows, mouth = laid
         live = live_at_rest(face, display)
         here = live[rows]
-        meeting = mouth.meeting(here)
-        lacking = np.where(meeting.overlap > -FAR, TOUCH + meeting.overlap, 0.0)
+        lacking = TOUCH + _gone_through(mouth, here)
         # In the very corner both lips are one.
         way = (1 - np.linspace(-1, 1, len(lacking)) ** 16) * np.where(lacking > 0, 1 - FLATTENED, 1.0) * lacking
-        mouth.columns.part(here, meeting, way / 2, way / 2)
-        mouth.keep_apart(here, mouth.meeting(here))
+        mouth.part(here, way / 2, way / 2)
+        mouth.keep_apart(here, *(np.zeros(len(lip.kept)) for lip in (mouth.upper, mouth.lower)))
         live[rows] = here
         number = points_of_vertices(face, display)
         face = _moved(face, live, np.where(number < display.moving, number, -1))
     return face
+
+
+def _gone_through(mouth: LipPair, here: Float32Array) -> FloatArray:
+    """How far the lips are in each other at most in each column (I,); below zero where they are apart.
+
+    A column of which nothing is above or below the other lip stays where it is.
+    """
+    most = np.full(COLUMNS, -np.inf)
+    for lip, overlap in zip((mouth.upper, mouth.lower), mouth.overlaps(here), strict=True):
+        np.maximum.at(most, lip.column, overlap)
+    return np.where(most > -APART, most, -TOUCH)
 
 
 def _moved(face: Face, live: Float32Array, number: np.typing.NDArray[np.int64]) -> Face:

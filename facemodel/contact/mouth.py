@@ -1,0 +1,131 @@
+"""The mouth as a site of contact: lips before the teeth and on each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from facemodel.contact.drawn import DrawnSlit, drawn_slit
+from facemodel.contact.frame import axes_between
+from facemodel.contact.laying import COLUMNS, LEAST_SHARE, Reach, column_shares
+from facemodel.contact.lips import Lip, LipPair, Lips
+from facemodel.contact.spread import spread_of
+from facemodel.contact.teeth import BeforeTeeth, Row
+from facemodel.display import DisplaySurface
+from facemodel.face import Face
+from facemodel.kinematics import Stance
+from facemodel.openings import mouth_of
+from fem.types import BoolArray, Float32Array, FloatArray, IntArray
+
+LIPS = Reach(profile=12.0, whole=(2.0, 2.0), faded=(16.0, 16.0), kept=11.5, end=0.97, joined=0.9)
+"""The red of a lip gives way as a whole; nose and chin stay, so that lips that are pressed get thinner."""
+
+BESIDE = 1.0
+"""Millimetres beyond the points that are kept over which a lip is still looked at."""
+
+CORNER = (0.7, 0.95)
+"""Share of half the mouth from which on lips come out of the teeth together, and from where on entirely so."""
+
+FADING = 0.25
+"""Share of the depth of what is kept over which it is less and less so."""
+
+SMALLEST = 1e-6
+"""Millimetres of that depth, where there is none."""
+
+
+class Mouth:
+    """Keeps the lips of a face before its teeth and out of each other.
+
+    Parameters
+    ----------
+    pair : its lips
+    rows : its teeth
+    skin : points of the site that are skin, from this number on
+    rest : (n, 3) points of the site at rest
+    """
+
+    def __init__(self, pair: LipPair, rows: Sequence[Row], skin: int, rest: Float32Array) -> None:
+        self._lips = Lips(pair, rest)
+        self._teeth = BeforeTeeth((pair.upper, pair.lower), _corners(), rows, skin, rest)
+
+    def move(self, here: Float32Array, stance: Stance) -> None:
+        """Keep the lips of posed points (n, 3) where they can be, in place."""
+        met = self._teeth.give_way(here, stance)
+        deepest = self._lips.part(here)
+        if (met or deepest > 0) and self._teeth.push(here, stance):
+            self._lips.keep_apart(here, deepest)
+
+
+def _corners() -> FloatArray:
+    """How far each column (I,) is in a corner, from 0 to 1."""
+    t = np.clip((np.abs(np.linspace(-1, 1, COLUMNS)) - CORNER[0]) / (CORNER[1] - CORNER[0]), 0.0, 1.0)
+    return np.asarray(t * t * (3 - 2 * t))
+
+
+def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[IntArray, LipPair] | None:
+    """The live points about the mouth and its lips; none on a face without the slit of a mouth."""
+    opening = mouth_of(face)
+    slit = None if opening is None else drawn_slit(face, display, opening)
+    if slit is None:
+        return None
+    axes = axes_between(*slit.corners)
+    ends = reach.end * axes.along(slit.corners)
+    offsets = np.linspace(ends[0], ends[1], COLUMNS)
+    alike = replace(reach, joined=1.0)
+    shares = [
+        [
+            slit.spread(lambda *at, of=of, side=side: column_shares(axes, offsets, of, side, *at))
+            for of in (reach, alike)
+        ]
+        for side in (0, 1)
+    ]
+    along = axes.along(slit.rest)
+    within = np.clip(along / (reach.corner * ends[1] / reach.end), -1, 1)
+    deep = reach.kept * np.sqrt(1 - within**8)
+    kept, shown = slit.away < deep, slit.away < deep + BESIDE
+    moved = np.any([np.abs(share).max(axis=1) > LEAST_SHARE for _, share in shares], axis=0)
+    rows = np.flatnonzero(moved | kept | shown)
+    t = np.clip((deep - slit.away) / np.maximum(FADING * deep, SMALLEST), 0.0, 1.0)
+    hold = t * t * (3 - 2 * t)
+    nearest = np.abs(along[:, None] - offsets).argmin(axis=1)
+    lips = [_lip(slit, display, side, rows, hold, shown, shares[side], nearest) for side in (0, 1)]
+    return rows, LipPair(axes, lips[0], lips[1])
+
+
+def _lip(
+    slit: DrawnSlit,
+    display: DisplaySurface,
+    side: int,
+    rows: IntArray,
+    hold: FloatArray,
+    shown: BoolArray,
+    shares: Sequence[FloatArray],
+    nearest: IntArray,
+) -> Lip:
+    """One side of a mouth, 0 the upper one, in numbers of its rows.
+
+    Parameters
+    ----------
+    hold : (L,) how far live points are kept on their own side, of both sides
+    shown : (L,) which are looked at
+    shares : (L, I) how much they go with the columns of this side where lips part, and where they go the same way
+    nearest : (L,) which column is the nearest
+    """
+    number = np.full(len(slit.rest), -1)
+    number[rows] = np.arange(len(rows))
+    mine = slit.upper if side == 0 else ~slit.upper
+    live = display.triangles[(display.triangles < display.moving).all(axis=1)] + slit.first
+    edge = (slit.edges.upper if side == 0 else slit.edges.lower) + slit.first
+    rim = np.stack([edge[:-1], edge[1:]], axis=1)
+    points = np.flatnonzero((hold > 0) & mine)
+    return Lip(
+        1.0 if side == 0 else -1.0,
+        number[points],
+        hold[points],
+        nearest[points],
+        np.ascontiguousarray(number[live[(shown & mine)[live].all(axis=1)]]),
+        np.ascontiguousarray(number[rim[(number[rim] >= 0).all(axis=1)]]),
+        *(spread_of(np.where(np.abs(share) > LEAST_SHARE, share, 0.0)[rows]) for share in shares),
+    )

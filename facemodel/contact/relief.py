@@ -1,0 +1,198 @@
+"""What a lip is to the other one: its skin as a height over width and depth of the mouth, on an even grid.
+
+Heights are those of a lip whose free side looks down: a lower lip is taken upside down.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from facemodel.compiled import compiled
+from fem.types import Float32Array, FloatArray, IntArray
+
+WIDTHS, DEPTHS = 64, 36
+"""Places of the grid across and from back to front: in steps of a millimetre and of two thirds of one."""
+
+FAR = 1e3
+"""Millimetres; where there is no lip at all it is so far away."""
+
+STEEP = 4.0
+"""How steeply a lip rises at most, towards its edges and beyond them: what comes from the side meets it little by
+little.  A lip that stands more upright counts as thicker by a fraction of a millimetre."""
+
+ON = 12.0
+"""Millimetres over which a lip goes on level into the mouth from where its skin ends."""
+
+UPRIGHT, LEVEL = 0.1, 0.4
+"""Share of a triangle that is seen from above up to which it does not meet the other lip, and from which on it does."""
+
+AWAY = 10.0
+"""Millimetres by which what does not meet it is taken back."""
+
+ON_EDGE = -1e-6
+"""Twice the part of a triangle across from a corner, in cells of the grid, from which on a place is on the triangle:
+neighbours leave none out."""
+
+
+class Grid(NamedTuple):
+    """An even grid over width and depth.
+
+    Attributes
+    ----------
+    left, back : its first place
+    wide, deep : steps from place to place
+    """
+
+    left: float
+    back: float
+    wide: float
+    deep: float
+
+
+@compiled
+def place_points(here: Float32Array, middle: FloatArray, axes: FloatArray, places: FloatArray) -> None:
+    """Write places (n, 3) along, above and before the middle of a slit of points (n, 3)."""
+    for i in range(len(here)):
+        x, y, z = here[i, 0] - middle[0], here[i, 1] - middle[1], here[i, 2] - middle[2]
+        for axis in range(3):
+            places[i, axis] = axes[axis, 0] * x + axes[axis, 1] * y + axes[axis, 2] * z
+
+
+@compiled
+def common_grid(places: FloatArray, upper: IntArray, lower: IntArray) -> Grid:
+    """A grid over what some points of both lips share in width, and over the depth of both."""
+    low, high = np.full((2, 2), 1e9), np.full((2, 2), -1e9)
+    for side, points in enumerate((upper, lower)):
+        for i in points:
+            for k in range(2):
+                value = places[i, 2 * k]
+                low[side, k], high[side, k] = min(low[side, k], value), max(high[side, k], value)
+    left, right = max(low[0, 0], low[1, 0]), min(high[0, 0], high[1, 0])
+    back, front = min(low[0, 1], low[1, 1]), max(high[0, 1], high[1, 1])
+    wide, deep = max(right - left, 1.0) / (WIDTHS - 1), max(front - back, 1.0) / (DEPTHS - 1)
+    return Grid(left, back, wide, deep)
+
+
+@compiled
+def raise_relief(
+    places: FloatArray, triangles: IntArray, rim: IntArray, sign: float, grid: Grid, heights: FloatArray
+) -> None:
+    """Write the lowest heights (A, D) of a lip on a grid.
+
+    Parameters
+    ----------
+    places : (n, 3) of points along, above and before the middle of the mouth
+    triangles : (T, 3) of the lip
+    rim : (E, 2) edges at which its skin ends within the mouth
+    sign : 1 of the upper lip, -1 of the lower one
+    """
+    heights[:] = FAR
+    count = len(places)
+    u, v, h = np.empty(count), np.empty(count), np.empty(count)
+    for i in range(count):
+        u[i] = (places[i, 0] - grid.left) / grid.wide
+        v[i] = (places[i, 2] - grid.back) / grid.deep
+        h[i] = sign * places[i, 1]
+    for t in range(len(triangles)):
+        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        _lay(u[a], u[b], u[c], v[a], v[b], v[c], h[a], h[b], h[c], sign, grid, heights)
+    on = ON / grid.deep
+    for e in range(len(rim)):
+        # In the order in which what goes on from the rim looks to where the lip does.
+        a, b = (rim[e, 1], rim[e, 0]) if sign > 0 else (rim[e, 0], rim[e, 1])
+        _lay(u[a], u[b], u[a], v[a], v[b], v[a] - on, h[a], h[b], h[a], sign, grid, heights)
+        _lay(u[b], u[b], u[a], v[b], v[b] - on, v[a] - on, h[b], h[b], h[a], sign, grid, heights)
+    _lean(grid, heights)
+
+
+@compiled
+def _lay(
+    u0: float, u1: float, u2: float,
+    v0: float, v1: float, v2: float,
+    h0: float, h1: float, h2: float,
+    sign: float, grid: Grid, heights: FloatArray,
+) -> None:  # fmt: skip
+    """Lower heights (A, D) to a triangle where it is over a place of the grid, of which u and v are whole numbers."""
+    twice = (u1 - u0) * (v2 - v0) - (u2 - u0) * (v1 - v0)
+    if sign * twice <= 0.0:
+        return
+    low, high = max(np.ceil(min(v0, v1, v2)), 0.0), min(np.floor(max(v0, v1, v2)), heights.shape[1] - 1.0)
+    first, last = max(np.ceil(min(u0, u1, u2)), 0.0), min(np.floor(max(u0, u1, u2)), heights.shape[0] - 1.0)
+    if low > high or first > last:
+        return
+    back = _averted(u1 - u0, u2 - u0, v1 - v0, v2 - v0, h1 - h0, h2 - h0, grid)
+    across = ((h1 - h0) * (v2 - v0) - (h2 - h0) * (v1 - v0)) / twice
+    on = ((h2 - h0) * (u1 - u0) - (h1 - h0) * (u2 - u0)) / twice
+    for i in range(int(first), int(last) + 1):
+        for k in range(int(low), int(high) + 1):
+            u, v = i - u0, k - v0
+            b1 = sign * (u * (v2 - v0) - (u2 - u0) * v)
+            b2 = sign * ((u1 - u0) * v - u * (v1 - v0))
+            if b1 >= ON_EDGE and b2 >= ON_EDGE and b1 + b2 <= sign * twice - ON_EDGE:
+                height = h0 + across * u + on * v + back
+                if height < heights[i, k]:
+                    heights[i, k] = height
+
+
+@compiled
+def _averted(u1: float, u2: float, v1: float, v2: float, h1: float, h2: float, grid: Grid) -> float:
+    """Millimetres by which a triangle, given by two of its sides in steps of the grid, recedes.
+
+    In the corners of an open mouth skin stands upright, and no lip is above another one.
+    """
+    x, y, z = (
+        (h1 * v2 - h2 * v1) * grid.deep,
+        (u2 * v1 - u1 * v2) * grid.wide * grid.deep,
+        (u1 * h2 - u2 * h1) * grid.wide,
+    )
+    share = (abs(y) / np.sqrt(x * x + y * y + z * z) - UPRIGHT) / (LEVEL - UPRIGHT)
+    t = min(max(share, 0.0), 1.0)
+    return float(AWAY * (1.0 - t * t * (3.0 - 2.0 * t)))
+
+
+@compiled
+def _lean(grid: Grid, heights: FloatArray) -> None:
+    """Let no height (A, D) rise by more than `STEEP` from its neighbours."""
+    across, on = STEEP * grid.wide, STEEP * grid.deep
+    aslant = np.hypot(across, on)
+    count, deep = heights.shape
+    for i in range(count):
+        for k in range(deep):
+            height = heights[i, k]
+            if i > 0:
+                height = min(height, heights[i - 1, k] + across)
+                if k > 0:
+                    height = min(height, heights[i - 1, k - 1] + aslant)
+                if k < deep - 1:
+                    height = min(height, heights[i - 1, k + 1] + aslant)
+            if k > 0:
+                height = min(height, heights[i, k - 1] + on)
+            heights[i, k] = height
+    for i in range(count - 1, -1, -1):
+        for k in range(deep - 1, -1, -1):
+            height = heights[i, k]
+            if i < count - 1:
+                height = min(height, heights[i + 1, k] + across)
+                if k > 0:
+                    height = min(height, heights[i + 1, k - 1] + aslant)
+                if k < deep - 1:
+                    height = min(height, heights[i + 1, k + 1] + aslant)
+            if k < deep - 1:
+                height = min(height, heights[i, k + 1] + on)
+            heights[i, k] = height
+
+
+@compiled
+def height_at(heights: FloatArray, grid: Grid, along: float, depth: float) -> float:
+    """The height between the places of the grid; beside it a lip rises away from there."""
+    count, deep = heights.shape
+    u, v = (along - grid.left) / grid.wide, (depth - grid.back) / grid.deep
+    inside_u, inside_v = min(max(u, 0.0), count - 1.0), min(max(v, 0.0), deep - 1.0)
+    beside = STEEP * (abs(u - inside_u) * grid.wide + abs(v - inside_v) * grid.deep)
+    i, k = min(int(inside_u), count - 2), min(int(inside_v), deep - 2)
+    s, t = inside_u - i, inside_v - k
+    low = heights[i, k] * (1 - s) + heights[i + 1, k] * s
+    high = heights[i, k + 1] * (1 - s) + heights[i + 1, k + 1] * s
+    return float(low * (1 - t) + high * t + beside)
