@@ -9,6 +9,7 @@ from typing import Literal
 from platformdirs import user_config_path
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from app.quality import FLUID, QUICKEST, SLOWEST, Quality
 from facemodel.errors import ProjectError
 from facemodel.io.disk import read_file, replacing
 
@@ -31,6 +32,8 @@ class Preferences(BaseModel):
     folder : where the last file dialog was
     geometry, layout : of the window and its docks, in whatever text the window makes of them
     hint_done : the first hint was read or followed
+    quality : how finely the face is drawn
+    least_rate : frames a second that the automatic quality keeps
     shortcuts : keys by action id where the user changed them; empty for none
     """
 
@@ -42,6 +45,8 @@ class Preferences(BaseModel):
     geometry: str = ""
     layout: str = ""
     hint_done: bool = False
+    quality: Quality = "automatic"
+    least_rate: float = Field(default=FLUID, ge=SLOWEST, le=QUICKEST)
     shortcuts: dict[str, str] = Field(default_factory=dict)
 
     def remembering(self, path: Path) -> Preferences:

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from app.quality import FLUID, Level, Quality
+
 ViewName = Literal["front", "left", "right", "three-quarter", "top", "free"]
 
 Workspace = Literal["expression", "actions", "muscles", "skull", "tissue"]
@@ -65,6 +67,9 @@ class ViewState:
         moved only to be looked at in the Skull workspace, whatever the sliders say
     linear : show the pure linear sum of the fields: no arc of the jaw, nothing that lids and lips meet
     linked : the sliders of left and right move together
+    quality : how finely the face is to be drawn
+    least_rate : frames a second below which the automatic quality steps down
+    level : how finely it is drawn now while it moves, asked for or found
     tools : by workspace the id of the tool in hand, where it is not the first one
     """
 
@@ -102,6 +107,9 @@ class ViewState:
     jaw_side: float = 0.0
     linear: bool = False
     linked: bool = True
+    quality: Quality = "automatic"
+    least_rate: float = FLUID
+    level: Level = "balanced"
     tools: Mapping[Workspace, str] = field(default_factory=dict)
 
     @property

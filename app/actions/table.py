@@ -11,6 +11,7 @@ from app.actions.edit import EDIT_ACTIONS
 from app.actions.examples import EXAMPLE_ACTIONS
 from app.actions.files import FILE_ACTIONS, OPEN, bare_actions, new_actions, recent_actions
 from app.actions.looking import LOOKING_ACTIONS
+from app.actions.quality import QUALITY_ACTIONS
 from app.actions.solving import SOLVING_ACTIONS, face_actions
 from app.actions.window import WINDOW_ACTIONS
 
@@ -32,6 +33,7 @@ def all_actions(context: Context) -> tuple[Action, ...]:
         *FILE_ACTIONS,
         *EDIT_ACTIONS,
         *LOOKING_ACTIONS,
+        *QUALITY_ACTIONS,
         *face_actions(),
         *SOLVING_ACTIONS,
         *WINDOW_ACTIONS,

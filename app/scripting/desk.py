@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from app.document import Document
 from app.tools.ground import Ground
@@ -23,7 +24,7 @@ class ScriptDesk:
 
     def __init__(self, document: Document, view: View | None = None) -> None:
         self._real, self._view = document, view
-        self._linear: bool | None = None
+        self._wanted: dict[str, Any] = {}
         self.document = Document(document.project, document.path)
         self.ground = Ground()
 
@@ -35,19 +36,24 @@ class ScriptDesk:
     def begin(self) -> None:
         """Start from what the real document is now."""
         self._real.commit()
-        self._linear = None
+        self._wanted = {}
         self.document = Document(self._real.project, self._real.path)
 
     def keep(self, label: str) -> None:
         """Make what was done one step of the real document; nothing if nothing was done."""
         self.document.commit()
-        if self._view is not None and self._linear is not None:
-            self._view.change(linear=self._linear)
+        if self._view is not None:
+            self._view.change(**self._wanted)
         if self.document.project is not self._real.project:
             self._real.edit(self.document.project, label)
 
-    def show_linear(self, on: bool) -> None:
-        """Show the pure linear sum, or no longer, if all of the script goes well; that is no step.
+    def show(self, what: str, **members: Any) -> None:
+        """Change what is shown, if all of the script goes well; that is no step.
+
+        Parameters
+        ----------
+        what : it shows, for people
+        members : of the `ViewState`
 
         Raises
         ------
@@ -55,8 +61,8 @@ class ScriptDesk:
             If nothing is shown.
         """
         if self._view is None:
-            raise FaceError("There is no window here that could show the pure linear sum; open the project in one.")
-        self._linear = on
+            raise FaceError(f"There is no window here that could show {what}; open the project in one.")
+        self._wanted.update(members)
 
     def edit(self, change: Callable[[Project], Project], label: str) -> None:
         """Change the project by a pure function, as one step that the script itself may undo."""

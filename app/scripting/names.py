@@ -12,6 +12,7 @@ from app.authoring.blending import blended
 from app.authoring.facs_table import filled_from_facs
 from app.expression_clipboard import expressions_of, expressions_text, with_pasted
 from app.expression_text import format_expression, parse_expression
+from app.quality import FLUID, checked_quality
 from app.scripting.animating import PUBLIC, Animating
 from app.scripting.desk import ScriptDesk
 from app.scripting.exporting import Exporting
@@ -56,7 +57,12 @@ class Names:
 
     def linear_sum(self, on: bool = True) -> None:
         """Show the pure linear sum of the fields: no arc of the jaw, nothing that lids and lips meet; or no longer."""
-        self._desk.show_linear(on)
+        self._desk.show("the pure linear sum", linear=on)
+
+    def drawing_quality(self, quality: str = "automatic", at_least: float = FLUID) -> None:
+        """Draw ``full``, ``balanced`` or ``fast``; or ``automatic``: as fine as ``at_least`` frames a second allow."""
+        chosen, rate = checked_quality(quality, at_least)
+        self._desk.show("another quality", quality=chosen, least_rate=rate)
 
     def face(self) -> Face:
         """The face as it is now, a frozen value."""

@@ -123,6 +123,11 @@ GLASS = f"""{FRAME}
 """A clear shell that only mirrors: a window where the key light is, a strip of the fill, a breath of sky."""
 
 
+PLACED = "\n  //VTK::SSAO::Impl\n"
+"""Where VTK's occlusion pass, when it draws, has a fragment tell place and normal: it looks for this after the lighting
+of its own, which is not there any more; for anybody else it is a comment."""
+
+
 def apply(
     actor: vtkActor,
     material: Material,
@@ -172,5 +177,5 @@ def _replace(actor: vtkActor, functions: str, lighting: str) -> None:
     shader = actor.GetShaderProperty()
     shader.ClearAllShaderReplacements()
     shader.AddFragmentShaderReplacement("//VTK::Light::Dec", True, "//VTK::Light::Dec\n" + functions, False)
-    shader.AddFragmentShaderReplacement("//VTK::Light::Impl", True, lighting, False)
+    shader.AddFragmentShaderReplacement("//VTK::Light::Impl", True, lighting + PLACED, False)
     shader.AddFragmentShaderReplacement("//VTK::TCoord::Impl", True, "", False)

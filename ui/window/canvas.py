@@ -12,14 +12,14 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
 
+from app.quality import Level
+from ui.viewport.fineness import FINENESS, Fineness, Occlusion
+
 FRAME = 1 / 60
 """Seconds between two frames at most; a hand moves more often than a screen can show."""
 
-SAMPLES = 4
-"""Samples per pixel that smooth the edges; more are not seen on skin."""
-
 STILL = 0.25
-"""Seconds without a new frame after which a processor that draws in software takes the time for smooth edges."""
+"""Seconds without a new frame after which the face is drawn once more, as finely as can be."""
 
 SOFTWARE = ("llvmpipe", "softpipe", "swr", "basic render", "swiftshader")
 """Names of drivers that draw without a graphics card; smooth edges cost them four times the frame."""
@@ -33,22 +33,36 @@ class Canvas(QtInteractor):
 
     Signals
     -------
-    drawn(float) : milliseconds that the last frame took, drawing alone
+    drawn(float) : milliseconds that the last frame took, drawing alone, to its last pixel
+    moved(float, float) : the same for a frame that follows on another one, with what it took to prepare it, and without
+    rested(float) : the same for the picture of what has come to rest
+    driver_known(bool) : before the first frame; whether it draws in software
+
+    Attributes
+    ----------
+    moving, resting : how finely is drawn what moves, and what has come to rest
+    frames : drawn so far
     """
 
     drawn = Signal(float)
+    moved = Signal(float, float)
+    rested = Signal(float)
+    driver_known = Signal(bool)
     _ready = False
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
         self.before_frame: list[Callable[[], None]] = []
         self.frames = 0
+        self.moving: Level = "balanced"
+        self.resting: Level = "balanced"
+        self._occlusion = Occlusion(self.renderer)
         self._painting = False
         self._last = 0.0
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self.update)
-        self._software: bool | None = None
-        self._smooth = False
+        self._driver_known = False
+        self._at_rest = False
         self._still = QTimer(self, singleShot=True, interval=round(1000 * STILL))
         self._still.timeout.connect(self._refine)
         self.setAcceptDrops(False)
@@ -61,7 +75,8 @@ class Canvas(QtInteractor):
     def ask_frame(self) -> None:
         """Have the widget painted at the next frame; many requests make one picture."""
         if self._ready and not self._painting and not self._timer.isActive():
-            self._smooth = False
+            self._at_rest = False
+            self._still.stop()
             wait = self._last + FRAME - time.perf_counter()
             self._timer.start(max(0, round(1000 * wait)))
 
@@ -76,6 +91,7 @@ class Canvas(QtInteractor):
         The interactor keeps Qt's surface, which is no QObject: its Python name would outlive it, and whatever Qt puts
         at the same place in memory later would be taken for a surface.
         """
+        self._occlusion.release()
         super().close()
         self._forget_context()
 
@@ -93,9 +109,9 @@ class Canvas(QtInteractor):
         event.ignore()
 
     def picture(self) -> NDArray[np.uint8]:
-        """What is seen, up to date and with smooth edges, (height, width, 3) in pixels of the screen."""
+        """What is seen, up to date and as fine as at rest, (height, width, 3) in pixels of the screen."""
         self._prepare()
-        self.ren_win.SetMultiSamples(SAMPLES)
+        self._take(FINENESS[self.resting])
         self._painting = True
         self._check_has_ren_win()
         try:
@@ -106,33 +122,54 @@ class Canvas(QtInteractor):
 
     def paintGL(self) -> None:
         """Bring the scene up to date and draw it."""
-        self._prepare()
-        if self._software is None:
-            self._software = self._drawn_in_software()
-        rough = self._software and not self._smooth
-        self.ren_win.SetMultiSamples(0 if rough else SAMPLES)
-        self._painting = True
+        if not self._driver_known:
+            self._driver_known = True
+            self.driver_known.emit(self._drawn_in_software())
+        following = time.perf_counter() - self._last < STILL
         start = time.perf_counter()
+        self._prepare()
+        prepared = time.perf_counter()
+        self._draw(FINENESS[self.resting if self._at_rest else self.moving])
+        self._last = time.perf_counter()
+        self.frames += 1
+        drawing = 1000 * (self._last - prepared)
+        if self._at_rest:
+            self.rested.emit(drawing)
+        else:
+            self._still.start()
+            if following:
+                self.moved.emit(1000 * (self._last - start), drawing)
+        self.drawn.emit(drawing)
+
+    def _draw(self, fineness: Fineness) -> None:
+        """Draw into the widget; a picture with fewer pixels is stretched over it."""
+        self._take(fineness)
+        shown = self.ren_win.GetSize()
+        if fineness.share < 1:
+            self.ren_win.SetSize(*(max(1, round(fineness.share * side)) for side in shown))
+        self._painting = True
         self.iren.interactor.EnableRenderOn()
         try:
             super().paintGL()
+            self.ren_win.WaitForCompletion()
         finally:
             self.iren.interactor.EnableRenderOff()
             self._painting = False
-        self._last = time.perf_counter()
-        self.frames += 1
-        if rough:
-            self._still.start()
-        self.drawn.emit(1000 * (self._last - start))
+            self.ren_win.SetSize(*shown)
+
+    def _take(self, fineness: Fineness) -> None:
+        self.ren_win.SetMultiSamples(fineness.samples)
+        self._occlusion.switch(fineness.occlusion)
 
     def _prepare(self) -> None:
         for prepare in self.before_frame:
             prepare()
 
     def _refine(self) -> None:
-        """Nothing has moved for a while: draw once more, with smooth edges."""
-        self._smooth = True
-        self.update()
+        """Nothing has moved for a while: draw once more, as finely as can be."""
+        if self.resting != self.moving:
+            self._at_rest = True
+            self.update()
 
     def _drawn_in_software(self) -> bool:
         driver = self.ren_win.ReportCapabilities().lower()

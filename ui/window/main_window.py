@@ -34,6 +34,7 @@ from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
 from ui.window.delivery import UiThread
 from ui.window.dock import Dock
+from ui.window.drawing_quality import DrawingQuality
 from ui.window.file_drops import FileDrops
 from ui.window.first_hints import FirstHints
 from ui.window.host import WindowHost
@@ -87,6 +88,7 @@ class MainWindow(QMainWindow):
         self.binding = ActionBinding(self, self.context, self._actions, self.span.signals)
         self.viewport = Viewport(document, view, preparation, self)
         self.setCentralWidget(self.viewport)
+        self.quality = DrawingQuality(self.viewport.canvas, view, settings)
         self.check = SuperpositionCheck(document, view, UiThread(self).deliver)
         self.portraits = Portraits(document, self)
         parts = Parts(self.context, bench, self.toolbox, self.viewport, self.check, self.portraits, preparation)
@@ -191,6 +193,7 @@ class MainWindow(QMainWindow):
         document.project_changed.connect(self._retitle)
         self.context.view.changed.connect(self._follow_view)
         self.context.settings.failed.connect(self.status.notify)
+        self.quality.changed.connect(self.status.notify)
         self.binding.table_changed.connect(self._refill_menus)
         self.palette_box.chosen.connect(self._run)
         self.panels.opened.connect(self._name_panel)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from app.actions.context import Context
 from app.jobs import Failure
+from app.quality import QUALITY_TITLES
+from app.view_state import ViewState
 from facemodel.actions import skin_fields
 from facemodel.project import Project
 from ui.window.dialogs import show_error
@@ -33,6 +35,7 @@ class SolveProgress:
         job.failed.connect(self._failed)
         context.document.solution_changed.connect(self._refresh)
         viewport.timed.connect(self._refresh)
+        context.view.changed.connect(self._follow_view)
         status.cancel_asked.connect(context.solving.cancel)
         self._refresh()
 
@@ -61,13 +64,19 @@ class SolveProgress:
         self._viewport.show_document()
         show_error(self._viewport, failure.sentence, failure.details)
 
+    def _follow_view(self, now: ViewState, before: ViewState) -> None:
+        if now.level != before.level:
+            self._refresh()
+
     def _refresh(self, _now: object = None) -> None:
         document = self._context.document
         total = len(skin_fields(document.project.units))
         done = 0 if document.solution is None or document.stale else len(document.solution.basis.names)
         took = self._viewport.frame_time
         timing = f" · {took:.0f} ms" if took and done else ""
+        level = QUALITY_TITLES[self._context.view.state.level].lower()
         self._status.show_state(
-            f"solved {done}/{total}{timing}",
-            "Displacement fields that are solved, and the time to pose and draw the last expression",
+            f"solved {done}/{total}{timing} · {level}",
+            "Displacement fields that are solved, the time to pose and draw the last expression, "
+            "and how finely it is drawn while it moves (View › Drawing quality)",
         )

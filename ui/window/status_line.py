@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
 
 from ui.theme.metrics import GRID, ROW
+from ui.widgets.elided_label import ElidedLabel
 
 NOTICE_TIME = 6000
 """Milliseconds for which a notice stands in the place of the hint."""
@@ -34,8 +35,7 @@ class StatusLine(QStatusBar):
         self.setContentsMargins(GRID, 0, GRID, 0)
         self.setFixedHeight(ROW + 4)
         self._hint = ""
-        self.hint = QLabel()
-        self.hint.setMinimumWidth(0)
+        self.hint = ElidedLabel()
         self.step = QLabel()
         self.bar = QProgressBar()
         self.bar.setRange(0, STEPS)

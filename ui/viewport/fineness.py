@@ -1,0 +1,77 @@
+"""What each quality of drawing means to VTK: samples per pixel, pixels per point of the screen, shade where skin is
+near to skin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vtkmodules.vtkRenderingCore import vtkRenderer
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass, vtkSSAOPass
+
+from app.quality import Level
+
+SAMPLES = 4
+"""Samples per pixel that smooth the edges; more are not seen on skin."""
+
+REACH = 16.0
+"""Millimetres around a place within which the occlusion pass looks for what keeps light away: a nose, a lip, a lid."""
+LIFT = 0.7
+"""Millimetres by which something has to stand before a place to count, so that a curved skin does not shade itself."""
+PROBES = 32
+"""Places that are looked at around each pixel; with fewer the shade is blotchy."""
+
+
+@dataclass(frozen=True)
+class Fineness:
+    """How finely a picture is drawn.
+
+    Attributes
+    ----------
+    samples : per pixel at the edges of surfaces
+    share : pixels that are drawn over those that are shown, per side
+    occlusion : whether what is near to each other shades each other as it is posed
+    """
+
+    samples: int
+    share: float
+    occlusion: bool
+
+
+FINENESS: Mapping[Level, Fineness] = {
+    "fast": Fineness(samples=0, share=0.7, occlusion=False),
+    "balanced": Fineness(samples=SAMPLES, share=1.0, occlusion=False),
+    "full": Fineness(samples=0, share=1.0, occlusion=True),
+}
+"""The occlusion pass draws into pictures of its own, which have one sample per pixel: there edges are smoothed after."""
+
+
+class Occlusion:
+    """Ambient occlusion in the picture: the shade that the pose makes, over that which is baked into the resting skin.
+
+    Parameters
+    ----------
+    renderer : whose picture it is
+    """
+
+    def __init__(self, renderer: vtkRenderer) -> None:
+        self._renderer = renderer
+        self._pass = vtkOpenGLFXAAPass()
+        shade = vtkSSAOPass()
+        shade.SetRadius(REACH)
+        shade.SetBias(LIFT)
+        shade.SetKernelSize(PROBES)
+        shade.BlurOn()
+        shade.SetDelegatePass(vtkRenderStepsPass())
+        self._pass.SetDelegatePass(shade)
+
+    def switch(self, on: bool) -> None:
+        """Draw with it from now on, or without."""
+        wanted = self._pass if on else None
+        if self._renderer.GetPass() is not wanted:
+            self._renderer.SetPass(wanted)
+
+    def release(self) -> None:
+        """Give back what it has on the graphics card, while the window of the renderer is still there."""
+        self.switch(False)
+        self._pass.ReleaseGraphicsResources(self._renderer.GetRenderWindow())
