@@ -46,6 +46,7 @@ from ui.window.solve_progress import SolveProgress
 from ui.window.status_line import StatusLine
 from ui.window.tool_strip import ToolStrip
 from ui.window.viewport_widget import Viewport
+from ui.window.walking_keys import walks
 from ui.workspaces.actions import brush_actions, tool_actions, workspace_actions
 from ui.workspaces.registry import WORKSPACES, all_tools
 from ui.workspaces.switching import WorkspacePanels
@@ -134,11 +135,10 @@ class MainWindow(QMainWindow):
         self.show_dock("workspace")
 
     def event(self, event: QEvent) -> bool:
-        """Keys meet the state as it is; Tab goes through a panel's fields, over the face to the next workspace."""
+        """Keys meet the state as it is; those that walk within a panel are its own while it has the keyboard."""
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             self.binding.settle()
-            walking = event.key() == Qt.Key.Key_Tab and not event.modifiers()
-            if walking and self.focusWidget() is not self.viewport.canvas:
+            if walks(event, self.focusWidget(), self.viewport.canvas):
                 event.accept()
         return super().event(event)
 
