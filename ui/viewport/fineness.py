@@ -1,23 +1,36 @@
 """What each quality of drawing means to VTK: samples per pixel, pixels per point of the screen, shade where skin is
-near to skin."""
+near to skin.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from vtkmodules.vtkRenderingCore import vtkRenderer
-from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass, vtkSSAOPass
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderPass
+from vtkmodules.vtkRenderingOpenGL2 import (
+    vtkCameraPass,
+    vtkLightsPass,
+    vtkOpaquePass,
+    vtkOpenGLFXAAPass,
+    vtkOverlayPass,
+    vtkRenderPassCollection,
+    vtkSequencePass,
+    vtkSSAOPass,
+    vtkTranslucentPass,
+)
 
 from app.quality import Level
 
 SAMPLES = 4
 """Samples per pixel that smooth the edges; more are not seen on skin."""
 
-REACH = 16.0
+REACH = 12.0
 """Millimetres around a place within which the occlusion pass looks for what keeps light away: a nose, a lip, a lid."""
 LIFT = 0.7
 """Millimetres by which something has to stand before a place to count, so that a curved skin does not shade itself."""
+STRENGTH = 0.6
+"""Share of that shade which is laid over the picture: the skin has its resting shade already."""
 PROBES = 32
 """Places that are looked at around each pixel; with fewer the shade is blotchy."""
 
@@ -43,7 +56,7 @@ FINENESS: Mapping[Level, Fineness] = {
     "balanced": Fineness(samples=SAMPLES, share=1.0, occlusion=False),
     "full": Fineness(samples=0, share=1.0, occlusion=True),
 }
-"""The occlusion pass draws into pictures of its own, which have one sample per pixel: there edges are smoothed after."""
+"""The occlusion pass draws into pictures of its own, of one sample per pixel: there edges are smoothed after."""
 
 
 class Occlusion:
@@ -56,14 +69,18 @@ class Occlusion:
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
-        self._pass = vtkOpenGLFXAAPass()
         shade = vtkSSAOPass()
         shade.SetRadius(REACH)
         shade.SetBias(LIFT)
         shade.SetKernelSize(PROBES)
+        shade.SetIntensityScale(STRENGTH)
         shade.BlurOn()
-        shade.SetDelegatePass(vtkRenderStepsPass())
-        self._pass.SetDelegatePass(shade)
+        solid = vtkCameraPass()
+        solid.SetDelegatePass(_one_by_one(vtkLightsPass(), vtkOpaquePass()))
+        shade.SetDelegatePass(solid)
+        # Lashes and tears are drawn over the shaded face: as part of it they would throw shade from their whole width.
+        self._pass = vtkOpenGLFXAAPass()
+        self._pass.SetDelegatePass(_one_by_one(shade, vtkTranslucentPass(), vtkOverlayPass()))
 
     def switch(self, on: bool) -> None:
         """Draw with it from now on, or without."""
@@ -75,3 +92,12 @@ class Occlusion:
         """Give back what it has on the graphics card, while the window of the renderer is still there."""
         self.switch(False)
         self._pass.ReleaseGraphicsResources(self._renderer.GetRenderWindow())
+
+
+def _one_by_one(*passes: vtkRenderPass) -> vtkSequencePass:
+    collection = vtkRenderPassCollection()
+    for each in passes:
+        collection.AddItem(each)
+    made = vtkSequencePass()
+    made.SetPasses(collection)
+    return made
