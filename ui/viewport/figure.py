@@ -11,6 +11,7 @@ from facemodel.superposition import Superposition
 from ui.viewport.eyes import EyeInLids
 from ui.viewport.lashes import Lashes
 from ui.viewport.lids import lids_of
+from ui.viewport.lip_light import LipLight
 from ui.viewport.look import look_of
 from ui.viewport.mouth import MouthLight
 from ui.viewport.neck import neck_cap, neck_cut
@@ -53,6 +54,7 @@ class Figure:
             self._place(part)
         self._seam = seam(self.skin.surface, display, self._look.palette) if self._carried else None
         self._mouth = MouthLight(face, display, [*self._still, *self._jaw])
+        self._lips = LipLight(face, display, self.skin.surface, self._mouth.parted)
         self.follow()
 
     def ghost(self, ghost: Ghost, bones: bool = False) -> None:
@@ -69,7 +71,7 @@ class Figure:
 
     def follow(self) -> None:
         """Take over what the superposition wrote."""
-        self.skin.surface.moved()
+        self.skin.moved()
         for surface in self._carried:
             surface.moved()
         stance = self.posed.stance
@@ -83,6 +85,7 @@ class Figure:
         for lash in self.lashes:
             lash.follow(self.posed.points)
         self._mouth.follow(self.posed.points)
+        self._lips.follow(self.posed.points)
 
     @property
     def actors(self) -> Iterator[vtkActor]:

@@ -1,6 +1,7 @@
 """The clean cut of the neck: a plane just above the rim of the skin, and a plain cap in it.
 
-The triangles that the plane crosses are cut once and stand still, as the neck does; all others stay the skin's own.
+The triangles that the plane crosses are cut once, and what is left of them moves with the corners they had; all others
+stay the skin's own.
 """
 
 from __future__ import annotations

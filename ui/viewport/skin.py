@@ -45,6 +45,14 @@ class Skin:
         self._painted = False
         self._dress()
 
+    def moved(self) -> None:
+        """Tell VTK that points and normals were written; the strip along the cut goes along."""
+        self.surface.moved()
+        if self.hem is not None and self._cut is not None:
+            self.hem.points[:] = self._cut.of(self.surface.points)
+            self.hem.normals[:] = self._cut.of(self.surface.normals)
+            self.hem.moved()
+
     def paint(self, colours: Float32Array | None) -> None:
         """Lay colours (P, 4) over the skin, sRGB and how much of it they cover, 0..1; None takes them off."""
         if colours is None and not self._painted:
@@ -77,7 +85,7 @@ class Skin:
 
 
 def _hem(cut: NeckCut, display: DisplaySurface, colours: ByteArray) -> Surface:
-    """The strip along the cut of the neck, which stands still."""
+    """The strip along the cut of the neck."""
     return Surface(
         cut.of(display.points).astype(np.float32),
         cut.of(display.normals).astype(np.float32),
