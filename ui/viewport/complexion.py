@@ -69,7 +69,7 @@ DEEP = Palette(
     hair=(0.350, 0.310, 0.280),
     iris=(0.235, 0.145, 0.075),
 )
-LASH_REACH = 2.0
+LASH_REACH = 1.3
 """Millimetres around the edge of a lid that the roots of its lashes darken."""
 
 PALETTES: Mapping[str, Palette] = {"ada": FAIR, "ben": TANNED, "chen": LIGHT_OLIVE, "dayo": DEEP}
@@ -192,7 +192,7 @@ def _lash_line(face: Face) -> FloatArray:
             distance = np.linalg.norm(position[:, None] - edge[None], axis=2)
             level = (edge[edge[:, 0].argmin(), 1] + edge[edge[:, 0].argmax(), 1]) / 2
             upper = edge[distance.argmin(axis=1), 1] > level
-            dark = np.maximum(dark, np.where(upper, 0.85, 0.40) * smooth(distance.min(axis=1), LASH_REACH, 0.3))
+            dark = np.maximum(dark, np.where(upper, 0.75, 0.40) * smooth(distance.min(axis=1), LASH_REACH, 0.3))
     return dark
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from facemodel.eyeball import EyeballMesh, Region, eyeball
+from facemodel.eyeball import IRIS_RADIUS, EyeballMesh, Region, eyeball
 from facemodel.face import Eye
 from facemodel.mesh import Mesh, submesh
 from fem.types import Float32Array, FloatArray, IntArray
-from ui.viewport.complexion import Colour
+from ui.viewport.complexion import Colour, smooth
 from ui.viewport.lids import LidLine
 from ui.viewport.look import bytes_of
 from ui.viewport.shading import EYE, apply, glaze
@@ -22,6 +22,10 @@ HIDDEN = 0.35
 """Radii behind its centre from which an eyeball is inside the head."""
 TINT = 0.9
 """How fully an iris takes the colour of its owner; the rest keeps the play between hazel and grey."""
+PLICA = (0.74, 0.52, 0.49)
+PLICA_NEAR, PLICA_FAR = 2.6, 5.4
+"""Colour of the moist fold in the inner corner of the eye, and millimetres outwards from where the lids meet at which
+it fades and at which it is gone."""
 CORNER_REACH = 2.5
 """Millimetres over which the corners of the eye fall into shade."""
 
@@ -55,6 +59,9 @@ class EyeInLids:
         self._seen: FloatArray | None = None
         self._front = np.flatnonzero(mesh.positions[:, 2] > eye.centre[2])
         self._at = mesh.positions[self._front]
+        self._own = np.zeros((0, 3)) if self.ball.colours is None else self.ball.colours[self._front, :3] / 255
+        self._nose = -1.0 if eye.side == "L" else 1.0
+        self._white = smooth(np.hypot(*(self._at - eye.centre)[:, :2].T), IRIS_RADIUS + 0.5, IRIS_RADIUS + 1.5)
         self._motion = np.eye(4)
 
     @property
@@ -80,6 +87,9 @@ class EyeInLids:
         colours = self.ball.colours
         if colours is not None:
             at = self._at @ self._motion[:3, :3].T + self._motion[:3, 3]
+            beside = (margin[:, 0] * self._nose).max() - at[:, 0] * self._nose
+            fold = (self._white * smooth(beside, PLICA_FAR, PLICA_NEAR))[:, None]
+            colours[self._front, :3] = 255 * (self._own + (PLICA - self._own) * fold)
             colours[self._front, 3] = np.clip(255 * lid_light(at, margin), 0, 255)
             self.ball.recoloured()
 

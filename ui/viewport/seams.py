@@ -20,8 +20,8 @@ CORNER = 1 - 1e-6
 """A drawn point with a barycentric coordinate above this lies on a skin vertex."""
 
 
-DARK = 0.55
-"""Brightness of a seam over that of the lips it lies behind."""
+DARK = 0.8
+"""Brightness of a seam over that of the lips it lies behind: that of the lining which it joins them to."""
 
 
 def seam(skin: Surface, display: DisplaySurface, palette: Palette) -> vtkActor:
