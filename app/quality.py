@@ -34,7 +34,7 @@ COMFORT = 0.5
 """Share of the time per frame that the better level may take, as measured, before it is chosen again: what is only
 just quick enough would go to and fro."""
 PART = 0.3
-"""Share of the time per frame that drawing must take to be blamed: where posing is slow, a coarser picture is no help."""
+"""Share of the time per frame that drawing must take to be blamed: a coarser picture does not help slow posing."""
 TRIES = 2
 """Times that a level is found too slow before it is not tried again."""
 PATIENCE = 400.0

@@ -37,10 +37,14 @@ SOUND = (".wav", ".wave")
 """Suffixes of sounds."""
 
 
+Again = Callable[[float, Callable[[Capture], None]], None]
+"""Reads a capture again, for a face that was at rest at another moment (seconds), and gives it away."""
+
+
 class Asks(Protocol):
     """What exchange asks of the window."""
 
-    def map_capture(self, capture: Capture, path: Path) -> None:
+    def map_capture(self, capture: Capture, path: Path, again: Again) -> None:
         """Show how the channels of a capture become those of the face, and take it in when that is settled."""
 
     def type_speech(self) -> None:
@@ -101,13 +105,7 @@ class Exchange:
 
     def read_capture(self, path: Path) -> None:
         """Read a file with weights or landmarks over time, and show how it becomes weights of this face."""
-        project, standing = self._timeline.document.project, self._basis()
-
-        def read(progress: Progress) -> Capture:
-            basis = partial(_fields, standing, project, progress)
-            return capture_from(path, project, basis, progress=progress)
-
-        self._begin(f"Reading {path.name}", read, lambda capture: self.asks.map_capture(capture, path))
+        self._read(path, None, lambda capture: self.asks.map_capture(capture, path, partial(self._read, path)))
 
     def import_speech(self) -> None:
         """Ask for a file with phonemes, and say them from the playhead on."""
@@ -162,6 +160,15 @@ class Exchange:
         """The fields of the face as it is now; none while it is not solved."""
         document = self._timeline.document
         return None if document.solution is None or document.stale else document.solution.basis
+
+    def _read(self, path: Path, rest: float | None, then: Callable[[Capture], None]) -> None:
+        project, standing = self._timeline.document.project, self._basis()
+
+        def read(progress: Progress) -> Capture:
+            basis = partial(_fields, standing, project, progress)
+            return capture_from(path, project, basis, neutral=rest, progress=progress)
+
+        self._begin(f"Reading {path.name}", read, then)
 
     def _begin(self, what: str, work: Callable[[Progress], Any], then: Callable[[Any], None]) -> None:
         self.job.request(Errand(what, work, then))

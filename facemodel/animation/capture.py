@@ -32,6 +32,7 @@ class Capture:
     rate : frames per second
     start : time of the first frame, seconds
     notes : one sentence each for what was missing, bridged or taken for granted
+    rest : when the face was taken to be at rest, seconds from the first frame; none where it is not compared with one
     """
 
     kind: CaptureKind
@@ -40,6 +41,7 @@ class Capture:
     rate: float
     start: float = 0.0
     notes: tuple[str, ...] = ()
+    rest: float | None = None
 
     @property
     def duration(self) -> float:

@@ -9,7 +9,7 @@ from app.actions import Context
 from app.actions.action import perform
 from app.document import Document
 from app.palette import rank
-from app.timeline.exchange import Exchange, exchange_actions
+from app.timeline.exchange import Again, Exchange, exchange_actions
 from app.timeline.sounds import SoundShelf
 from app.timeline.timeline import Timeline
 from facemodel.animation.capture import Capture
@@ -27,8 +27,9 @@ class Asked:
         self.captures: list[tuple[Capture, Path]] = []
         self.opened: list[str] = []
 
-    def map_capture(self, capture: Capture, path: Path) -> None:
+    def map_capture(self, capture: Capture, path: Path, again: Again) -> None:
         self.captures.append((capture, path))
+        self.again = again
 
     def type_speech(self) -> None:
         self.opened.append("speech")

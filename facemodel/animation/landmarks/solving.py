@@ -67,15 +67,15 @@ def captured(
     rest = _rest(steady[:, places.indices], track.rate, neutral)
     fit = fitted(upright, steady[rest].mean(axis=0), rest, places, Felt.on(places, basis, units), progress)
     channels = {**_turned(fit.heads), **(gaze(steady, rest) if track.irises else {})}
+    moment = (rest.start + rest.stop - 1) / 2 / track.rate
     note = (
-        f"The face is at rest at {(rest.start + rest.stop - 1) / 2 / track.rate:.2f} s; "
-        f"what its weights leave of the landmarks’ motion is {fit.error:.1f} mm."
+        f"The face is at rest at {moment:.2f} s; what its weights leave of the landmarks’ motion is {fit.error:.1f} mm."
     )
     notes = (*track.notes, *notes, note)
     weights = with_shut_eyes(fit.names, fit.weights, steady, rest)
     values = np.column_stack([weights, *channels.values()])
     names = (*fit.names, *channels)
-    return Capture("landmarks", names, values.astype(np.float32), track.rate, 0.0, notes)
+    return Capture("landmarks", names, values.astype(np.float32), track.rate, 0.0, notes, moment)
 
 
 def _rest(steady: FloatArray, rate: float, neutral: float | None) -> slice:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.actions.context import Context, FileQuestion
 from app.actions.paths import folder, with_suffix
+from app.timeline.exchange import Again
 from app.timeline.sounds import SoundShelf
 from app.timeline.timeline import Timeline
 from facemodel.animation.capture import Capture
@@ -43,9 +44,9 @@ class TimelineDialogs:
         self._parent, self._timeline, self._context, self._shelf = parent, timeline, context, shelf
         self._unfold = unfold
 
-    def map_capture(self, capture: Capture, path: Path) -> None:
+    def map_capture(self, capture: Capture, path: Path, again: Again) -> None:
         """Show how the channels of a capture become those of the face, and take it in when that is settled."""
-        page = MappingPage(self._parent, self._timeline, self._context.host, capture, path)
+        page = MappingPage(self._parent, self._timeline, self._context.host, capture, path, again)
         self._unfold()
         page.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         page.accepted.connect(lambda: self._context.host.show_message(f"Imported {path.name}: {page.notes.text()}"))

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.actions.context import FileQuestion, Host
 from app.authoring.importing import Imported, with_capture
+from app.timeline.exchange import Again
 from app.timeline.timeline import LiveChange, Timeline
 from facemodel.animation.capture import KIND_TITLES, Capture
 from facemodel.animation.mapping import Mapping, MapRow, default_mapping
@@ -27,6 +28,7 @@ from facemodel.errors import ProjectError
 from facemodel.io.weights.mapping_file import load_mapping, save_mapping
 from ui.theme.metrics import GRID, ROW
 from ui.timeline.dialogs.mapping_table import MappingTable
+from ui.timeline.dialogs.rest_row import RestRow
 from ui.timeline.inspector.page import push_button
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
@@ -49,15 +51,18 @@ class MappingPage(QDialog):
     timeline : what it comes into
     host : asks for files of tables
     capture, path : what was read, and from where
+    again : reads it again for another moment of rest
     """
 
-    def __init__(self, parent: QWidget, timeline: Timeline, host: Host, capture: Capture, path: Path) -> None:
+    def __init__(
+        self, parent: QWidget, timeline: Timeline, host: Host, capture: Capture, path: Path, again: Again
+    ) -> None:
         super().__init__(parent)
         self._timeline, self._host, self._capture = timeline, host, capture
         project = timeline.document.project
         self._live = LiveChange(timeline, f"Import {path.name}")
-        self._base = project
-        self._showing = False
+        self._base, self._again = project, again
+        self._showing = self._over = False
         self.table = MappingTable(_rows_of(capture), capture, project.units)
         self.setWindowTitle("Import weights over time")
         self.resize(86 * GRID, 64 * GRID)
@@ -65,6 +70,7 @@ class MappingPage(QDialog):
         self.smoothing, self.start = NumberBar("Smoothing", SMOOTHING), NumberBar("Begins at", START)
         self.smoothing.set_value(self.table.mapping.smoothing)
         self.start.set_value(capture.start)
+        self.rest = None if capture.rest is None else RestRow(capture.duration, capture.rest)
         self.notes = QLabel()
         self.name = QLabel()
         self._timer = QTimer(self, singleShot=True, interval=REST)
@@ -73,6 +79,10 @@ class MappingPage(QDialog):
         self.table.edited.connect(lambda _mapping: self._timer.start())
         self.smoothing.previewed.connect(lambda _value: self._timer.start())
         self.start.previewed.connect(lambda _value: self._timer.start())
+        if self.rest is not None:
+            self.rest.looked.connect(lambda seconds: timeline.playhead.go(self.start.value + seconds))
+            self.rest.chosen.connect(self._compare)
+            self.rest.at_playhead.connect(self._rest_here)
         self.preview()
         timeline.document.history_changed.connect(self._settle)
         timeline.document.project_changed.connect(self._settle)
@@ -109,6 +119,7 @@ class MappingPage(QDialog):
     def done(self, how: int) -> None:
         """Close; what was not taken in goes."""
         self._timer.stop()
+        self._over = True
         document = self._timeline.document
         document.history_changed.disconnect(self._settle)
         document.project_changed.disconnect(self._settle)
@@ -120,6 +131,20 @@ class MappingPage(QDialog):
         """The project was changed elsewhere: what is seen of the capture stays, and the change stands over it."""
         if not self._showing:
             self.done(QDialog.DialogCode.Accepted)
+
+    def _compare(self, rest: float) -> None:
+        """Have the landmarks compared with the face at rest at another moment; until then the old ones are seen."""
+        self.notes.setText(f"Compared with the face at rest at {rest:.2f} s …")
+        self._again(rest, self._take_capture)
+
+    def _rest_here(self) -> None:
+        assert self.rest is not None
+        self.rest.choose(self._timeline.playhead.time - self.start.value)
+
+    def _take_capture(self, capture: Capture) -> None:
+        if not self._over:
+            self._capture = capture
+            self.preview()
 
     def load(self) -> None:
         """Ask for a table and use it."""
@@ -176,6 +201,8 @@ class MappingPage(QDialog):
         bars.addWidget(self.smoothing)
         bars.addWidget(self.start)
         layout.addLayout(bars)
+        if self.rest is not None:
+            layout.addWidget(self.rest)
         layout.addWidget(self.notes)
         layout.addWidget(self._buttons())
 
