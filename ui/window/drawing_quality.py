@@ -81,7 +81,11 @@ class DrawingQuality(QObject):
             self.changed.emit(f"Drawing quality went {way} to {QUALITY_TITLES[now]}: {why}.")
 
     def _follow(self, now: ViewState, before: ViewState) -> None:
-        if (now.quality, now.least_rate) != (before.quality, before.least_rate):
-            self._settings.change(quality=now.quality, least_rate=now.least_rate)
+        if (now.quality, now.least_rate) == (before.quality, before.least_rate):
+            return
+        self._settings.change(quality=now.quality, least_rate=now.least_rate)
+        if now.quality != before.quality:
             self._pacing = self._begin()
-            self._canvas.ask_frame()
+        else:
+            self._pacing = Pacing(self._pacing.resting, self._pacing.moving, now.least_rate)
+        self._canvas.ask_frame()
