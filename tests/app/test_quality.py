@@ -1,4 +1,4 @@
-"""The level of drawing follows the frames that were taken: down in a motion that stutters, up at rest, never to and fro."""
+"""The level of drawing follows the frames taken: down in a motion that stutters, up at rest, never to and fro."""
 
 import pytest
 from hypothesis import given
@@ -18,7 +18,7 @@ SLOW, QUICK = 1.5 * 1000 / RATE, 0.2 * 1000 / RATE
 
 def move(pacing: Pacing, milliseconds: float, frames: int = FRAMES, posing: float = 0.0) -> bool:
     """Draw some frames alike; whether the level stepped down."""
-    return any([pacing.moved(milliseconds, milliseconds - posing) for _ in range(frames)])
+    return any(pacing.moved(milliseconds, milliseconds - posing) for _ in range(frames))
 
 
 def test_a_motion_that_stutters_is_drawn_coarser_step_by_step() -> None:
@@ -35,7 +35,9 @@ def test_a_motion_that_stutters_is_drawn_coarser_step_by_step() -> None:
 
 def test_a_single_slow_frame_is_no_reason() -> None:
     pacing = Pacing("full", "full", RATE)
-    assert not move(pacing, QUICK) and not move(pacing, 20 * SLOW, frames=1) and not move(pacing, QUICK)
+    assert not move(pacing, QUICK)
+    assert not move(pacing, 20 * SLOW, frames=1)
+    assert not move(pacing, QUICK)
     assert pacing.moving == "full"
 
 
@@ -49,8 +51,10 @@ def test_it_steps_up_at_rest_where_the_resting_picture_shows_that_there_is_time(
     pacing = Pacing("full", "fast", RATE)
     assert not pacing.rested(1.2 * COMFORT * 1000 / RATE)
     assert pacing.moving == "fast"
-    assert pacing.rested(QUICK) and pacing.moving == "balanced"
-    assert pacing.rested(QUICK) and pacing.moving == "full"
+    assert pacing.rested(QUICK)
+    assert pacing.moving == "balanced"
+    assert pacing.rested(QUICK)
+    assert pacing.moving == "full"
     assert not pacing.rested(QUICK)
 
 

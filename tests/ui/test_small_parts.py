@@ -89,6 +89,24 @@ def test_a_hint_waits_while_a_notice_is_shown(shown):
     assert line.hint.text() == "Saved smile.risorius"
 
 
+def test_a_long_notice_gives_way_to_the_state_of_the_face_and_can_be_read_in_full(shown):
+    line = StatusLine()
+    line.resize(600, line.height())
+    shown(line)
+    line.show_state("solved 62/62 · 12 ms · fast", "")
+    line.notify("Imported take_042.csv. " + 12 * "Something was bridged. ")
+    QApplication.processEvents()
+    assert line.hint.geometry().right() < line.state.geometry().left()
+    assert line.state.width() >= line.state.sizeHint().width()
+    assert line.hint.seen.endswith("…")
+    assert line.hint.seen.startswith("Imported take_042.csv")
+    line.grab()
+    assert line.hint.toolTip() == line.hint.text()
+    line.notify("Short.")
+    line.grab()
+    assert (line.hint.seen, line.hint.toolTip()) == ("Short.", "")
+
+
 def test_an_unforeseen_error_is_shown_once_and_the_program_goes_on(shown, qtbot, caplog):
     window = shown(QWidget())
     boxes: list[QMessageBox] = []

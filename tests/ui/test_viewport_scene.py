@@ -6,9 +6,12 @@ import numpy as np
 import pytest
 
 from app.view_state import ViewState
+from facemodel.sampling import points_of_vertices
 from tests.ui.sitter import OPEN, SMILE, around, sitter, studio, weights
 from ui.headless.stage import stage
+from ui.viewport.complexion import openings
 from ui.viewport.figure import Figure
+from ui.viewport.neck import neck_cut
 from ui.viewport.overlays.overlay import Overlay
 from ui.viewport.scene import Scene
 
@@ -108,6 +111,29 @@ def test_an_open_jaw_shows_a_dark_mouth(scene: Scene) -> None:
     opened = studio().picture()
     inside = (mark("upper_lip_mid", -8) + mark("lower_lip_mid", -8)) / 2
     assert around(opened, inside, 2).mean() < 0.6 * around(still, inside, 2).mean()
+
+
+def test_the_inside_of_parted_lips_comes_to_light_and_lies_in_shade_again(scene: Scene, figure: Figure) -> None:
+    face, display = sitter()[0].face, figure.posed.basis.display
+    lips = points_of_vertices(face, display)[openings(face)[0]]
+    colours = figure.skin.surface.colours
+    assert colours is not None
+    rest = colours.copy()
+    scene.pose(weights(**OPEN))
+    assert colours[lips, 3].mean() > 1.3 * rest[lips, 3].mean()
+    assert (colours[:, 3] >= rest[:, 3]).all()
+    assert np.array_equal(colours[:, :3], rest[:, :3])
+    scene.pose({})
+    assert np.array_equal(colours, rest)
+
+
+def test_the_strip_along_the_cut_of_the_neck_goes_along_with_the_skin(scene: Scene, figure: Figure) -> None:
+    cut = neck_cut(figure.posed.basis.display)
+    assert cut is not None
+    assert figure.skin.hem is not None
+    whole = cut.start == cut.stop
+    scene.pose(weights(**OPEN))
+    assert np.allclose(figure.skin.hem.points[whole], figure.posed.points[cut.start[whole]], atol=1e-4)
 
 
 def test_the_same_pose_gives_the_same_picture_whatever_was_shown_between(scene: Scene) -> None:

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -11,6 +12,8 @@ from pytestqt.qtbot import QtBot
 from app.document import Document
 from facemodel.animation.clip import STILL
 from facemodel.animation.samples import Samples
+from tests.animation.tracker import Shown, seen
+from tests.ui.hands import drag
 from ui.timeline.dialogs.mapping_page import MappingPage
 from ui.widgets.number_edit import NumberEdit
 from ui.window.main_window import MainWindow
@@ -148,3 +151,44 @@ def test_a_change_elsewhere_takes_the_capture_in(window: MainWindow, page: Mappi
     document.undo()
     document.undo()
     assert not document.project.animation.tracks
+
+
+@pytest.fixture
+def landmark_page(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> MappingPage:
+    """The page of a tracker that saw a calm face, which then opened its mouth for good."""
+    project = window.context.document.project
+    shown = [Shown()] * 30 + [Shown({"26": 1.0, "25": 0.6})] * 30
+    file = tmp_path / "take.npz"
+    np.savez(file, landmarks=seen(project, window.context.document.solution, shown))
+    window.timeline.exchange.read_capture(file)
+    qtbot.waitUntil(lambda: window.findChild(MappingPage) is not None, timeout=20_000)
+    page = window.findChild(MappingPage)
+    qtbot.waitExposed(page)
+    return page
+
+
+def test_the_moment_of_rest_is_looked_at_and_chosen(
+    window: MainWindow, landmark_page: MappingPage, document: Document, qtbot: QtBot
+) -> None:
+    page, playhead = landmark_page, window.timeline.timeline.playhead
+    assert page.rest is not None
+    assert page.rest.bar.value < 1.0
+    scrub(window, 1.8)
+    qtbot.waitUntil(lambda: document.shown.get("26", 0.0) > 0.5)
+
+    drag(page.rest.bar, 0.2, 0.95, release=False)
+    assert playhead.time == pytest.approx(page.rest.bar.value, abs=0.05)
+    assert playhead.time > 1.0
+    assert document.shown["26"] > 0.5
+    QTest.mouseRelease(page.rest.bar, LEFT, Qt.KeyboardModifier.NoModifier, page.rest.bar.rect().center())
+    qtbot.waitUntil(lambda: document.shown.get("26", 0.0) < 0.2, timeout=20_000)
+
+    scrub(window, 0.5)
+    QTest.mouseClick(page.rest.here, LEFT)
+    qtbot.waitUntil(lambda: "at rest at 0.5" in page.notes.text(), timeout=20_000)
+    page.reject()
+    assert document.history.done == ()
+
+
+def test_weights_are_not_asked_when_the_face_was_at_rest(page: MappingPage) -> None:
+    assert page.rest is None

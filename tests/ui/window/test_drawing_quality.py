@@ -64,7 +64,8 @@ def test_frames_that_are_too_slow_bring_it_down_and_it_says_so(window: MainWindo
     assert view.state.level == canvas.moving
     assert canvas.moving != canvas.resting
     said = window.status.hint.text()
-    assert said.startswith("Drawing quality went down to") and "ms a frame" in said
+    assert said.startswith("Drawing quality went down to")
+    assert "ms a frame" in said
     window.binding.refresh()
     assert "now)" in entry(window.menuBar(), "View", "Drawing quality", "Automatic").text()
 

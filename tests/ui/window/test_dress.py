@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QOpenGLContext, QSurface
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMessageBox, QToolBar, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QComboBox, QMessageBox, QToolBar, QToolButton, QWidget
 
 from app.actions.action import shortcuts_of
 from tests.ui.hands import drag
@@ -96,6 +96,22 @@ def test_search_takes_the_keyboard(window):
     QTest.keyClick(window, Qt.Key.Key_F, CTRL)
     assert window.expression.search.hasFocus()
     QTest.keyClicks(window.expression.search, "1")
+    assert window.context.view.state.view == "three-quarter"
+
+
+def test_home_goes_to_the_head_of_a_list_and_only_from_the_face_to_the_whole_head(window, qtbot):
+    window.show_workspace("actions")
+    window.context.view.change(unit=12)
+    combo = next(each for each in window.findChildren(QComboBox) if each.isVisible() and each.count() > 1)
+    combo.setFocus()
+    qtbot.waitUntil(combo.hasFocus)
+    combo.setCurrentIndex(combo.count() - 1)
+    window.context.view.change(view="free")
+    QTest.keyClick(combo, Qt.Key.Key_Home)
+    assert combo.currentIndex() == 0
+    assert window.context.view.state.view == "free"
+    window.viewport.canvas.setFocus()
+    QTest.keyClick(window.viewport.canvas, Qt.Key.Key_Home)
     assert window.context.view.state.view == "three-quarter"
 
 
