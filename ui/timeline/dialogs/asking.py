@@ -43,6 +43,7 @@ class TimelineDialogs:
     ) -> None:
         self._parent, self._timeline, self._context, self._shelf = parent, timeline, context, shelf
         self._unfold = unfold
+        self._speech: SpeechPage | None = None
 
     def map_capture(self, capture: Capture, path: Path, again: Again) -> None:
         """Show how the channels of a capture become those of the face, and take it in when that is settled."""
@@ -54,9 +55,19 @@ class TimelineDialogs:
         self._context.host.show_message(f"Scrub or play to see what {path.name} does; “Import” takes it in")
 
     def type_speech(self) -> None:
-        """Let words or sounds be typed."""
-        page = SpeechPage(self._parent, self._timeline, self._shelf.sound, self._ask_voice)
-        if page.exec() and page.notes:
+        """Let words or sounds be typed; the window stays in reach, so that one can scrub to where they belong."""
+        if self._speech is None:
+            self._speech = SpeechPage(self._parent, self._timeline, lambda: self._shelf.sound, self._ask_voice)
+            self._speech.finished.connect(self._spoken)
+            self._speech.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+            self._unfold()
+        self._speech.show()
+        self._speech.raise_()
+        self._speech.activateWindow()
+
+    def _spoken(self, _how: int) -> None:
+        page, self._speech = self._speech, None
+        if page is not None and page.notes:
             self._context.host.show_message(" ".join(page.notes))
 
     def edit_visemes(self) -> None:

@@ -27,6 +27,7 @@ from facemodel.animation.mapping import Mapping, MapRow, default_mapping
 from facemodel.errors import ProjectError
 from facemodel.io.weights.mapping_file import load_mapping, save_mapping
 from ui.theme.metrics import GRID, ROW
+from ui.timeline.dialogs.aside import stand_aside
 from ui.timeline.dialogs.mapping_table import MappingTable
 from ui.timeline.dialogs.rest_row import RestRow
 from ui.timeline.inspector.page import push_button
@@ -96,8 +97,7 @@ class MappingPage(QDialog):
     def showEvent(self, event: QShowEvent) -> None:
         """Stand at the upper right, so that the face and the timeline can be seen to move."""
         super().showEvent(event)
-        home = self.parentWidget().window().frameGeometry()
-        self.move(home.right() - self.width() - 2 * GRID, home.top() + 5 * GRID)
+        stand_aside(self)
 
     def preview(self) -> None:
         """Show what the capture looks like on this face."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QPlainTextEdit, QTabBar, QVBoxLayout, QWidget
 
 from app.authoring.importing import Imported, with_sound, with_spoken
@@ -15,6 +17,7 @@ from facemodel.animation.sound import Sound, voiced_span
 from facemodel.errors import RisoriusError
 from facemodel.io.audio import write_sound
 from ui.theme.metrics import GRID
+from ui.timeline.dialogs.aside import stand_aside
 from ui.timeline.inspector.page import push_button
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
@@ -34,11 +37,13 @@ class SpeechPage(QDialog):
     Parameters
     ----------
     timeline : where it comes to
-    sound : the sound that plays along, if there is one: what is said can be made to fit it
+    sound : tells which sound plays along, if there is one: what is said can be made to fit it
     ask_path : asks where a voice is to be written
     """
 
-    def __init__(self, parent: QWidget, timeline: Timeline, sound: Sound | None, ask_path: AskPath) -> None:
+    def __init__(
+        self, parent: QWidget, timeline: Timeline, sound: Callable[[], Sound | None], ask_path: AskPath
+    ) -> None:
         super().__init__(parent)
         self._timeline, self._sound, self._ask_path = timeline, sound, ask_path
         self.notes: tuple[str, ...] = ()
@@ -64,6 +69,17 @@ class SpeechPage(QDialog):
         if espeak_program() is None:
             self.kind.setCurrentIndex(1)
         self._follow()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Stand at the upper right, so that the face and the timeline are seen."""
+        super().showEvent(event)
+        stand_aside(self)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Offer to fit the sound where one has come meanwhile."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange and hasattr(self, "fit"):
+            self.fit.setVisible(self._sound() is not None)
 
     def say(self) -> None:
         """Let the face say it, in one step, and close."""
@@ -104,8 +120,9 @@ class SpeechPage(QDialog):
         return Imported(with_sound(found.project, path, sound, home, time), found.notes)
 
     def _fit(self) -> None:
-        if self._sound is not None:
-            begin, end = voiced_span(self._sound)
+        sound = self._sound()
+        if sound is not None:
+            begin, end = voiced_span(sound)
             self.length.set_value(end - begin)
 
     def _follow(self) -> None:
@@ -125,7 +142,7 @@ class SpeechPage(QDialog):
         layout.addWidget(self.text, 1)
         layout.addWidget(self.length)
         self.fit = push_button("Fit the sound that plays along", self._fit, "As long as somebody speaks in it")
-        self.fit.setVisible(self._sound is not None)
+        self.fit.setVisible(self._sound() is not None)
         layout.addWidget(self.fit)
         layout.addWidget(self.complaint)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
