@@ -14,7 +14,7 @@ from ui.viewport.surface import Surface
 COUNT = {"upper": 80, "lower": 40}
 LENGTH = {"upper": 7.6, "lower": 3.4}
 """Hairs per lid, and their length in millimetres where they are longest."""
-SEGMENTS = 7
+SEGMENTS = 6
 """Places along a hair; with fewer its bend is seen as corners from near."""
 ROOT_WIDTH = {"upper": 0.18, "lower": 0.12}
 """Millimetres; a hair is thinner, but several grow together."""

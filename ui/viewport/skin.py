@@ -18,6 +18,9 @@ from ui.viewport.surface import ByteArray, Surface
 
 PAINT = "paint"
 
+SEEN = 0.01
+"""Millimetres by which the rim of the neck has to move to be drawn anew; it stands nearly still in most poses."""
+
 
 class Skin:
     """The skin of a posed face.
@@ -48,8 +51,11 @@ class Skin:
     def moved(self) -> None:
         """Tell VTK that points and normals were written; the strip along the cut goes along."""
         self.surface.moved()
-        if self.hem is not None and self._cut is not None:
-            self.hem.points[:] = self._cut.of(self.surface.points)
+        if self.hem is None or self._cut is None:
+            return
+        places = self._cut.of(self.surface.points)
+        if np.abs(places - self.hem.points).max() > SEEN:
+            self.hem.points[:] = places
             self.hem.normals[:] = self._cut.of(self.surface.normals)
             self.hem.moved()
 
