@@ -7,6 +7,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from facemodel.superposition import Superposition
 from tests.ui.sitter import sitter, weights
 from ui.viewport.figure import Figure
+from ui.viewport.seams import seam_triangles
 from ui.viewport.surface import Surface, companion
 
 TRIANGLE = np.array([[0, 1, 2]])
@@ -66,3 +67,14 @@ def test_the_skin_is_drawn_out_of_the_superposition() -> None:
     before = figure.skin.surface.actor.GetMTime(), data.GetPoints().GetMTime()
     figure.follow()
     assert data.GetPoints().GetMTime() > before[1]
+
+
+def test_what_fills_the_slivers_of_the_openings_faces_as_the_skin_beside_it() -> None:
+    display = sitter()[1].basis.display
+
+    def ways(triangles: np.ndarray) -> set[tuple[int, int]]:
+        return {(int(a), int(b)) for corners in triangles for a, b in zip(corners, np.roll(corners, -1), strict=True)}
+
+    skin, slivers = ways(display.triangles), ways(seam_triangles(display))
+    assert not slivers & skin
+    assert len({(b, a) for a, b in slivers} & skin) > 50

@@ -33,7 +33,10 @@ def seam(skin: Surface, display: DisplaySurface, palette: Palette) -> vtkActor:
 
 
 def seam_triangles(display: DisplaySurface) -> IntArray:
-    """Triangles (n, 3) of drawn points that close the slivers of all openings but the neck's, the longest."""
+    """Triangles (n, 3) of drawn points that close the slivers of all openings but the neck's, the longest.
+
+    They face as the skin beside them does, so that its normals are theirs too.
+    """
     loops = sorted((np.array(loop) for loop in igl.boundary_loop_all(display.triangles)), key=len)
     on_vertex = display.barycentric.max(axis=1) > CORNER
     found = []
@@ -41,5 +44,5 @@ def seam_triangles(display: DisplaySurface) -> IntArray:
         corners = np.flatnonzero(on_vertex[loop])
         for start, stop in zip(corners, np.append(corners[1:], corners[0] + len(loop)), strict=True):
             chain = loop[np.arange(start, stop + 1) % len(loop)]
-            found += [[chain[0], chain[k], chain[k + 1]] for k in range(1, len(chain) - 1)]
+            found += [[chain[0], chain[k + 1], chain[k]] for k in range(1, len(chain) - 1)]
     return np.array(found, dtype=np.int64).reshape(-1, 3)

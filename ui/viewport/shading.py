@@ -67,7 +67,7 @@ vec3 lit(vec3 n, vec3 l, float open)
 {{
   float c = dot(n, l);
   vec3 d = clamp((c + scatterOf) / (1.0 + scatterOf), 0.0, 1.0);
-  float shade = clamp(c + 2.2 * open * open - 0.35, 0.0, 1.0);
+  float shade = clamp(c + 2.2 * open * open - 0.35, 0.0, 1.0) * min(3.0 * open, 1.0);
   vec3 bled = shade + scatterOf * (1.5 * shade * (1.0 - shade));
   return d * mix(d, vec3(1.0), 0.5) * bled;
 }}
