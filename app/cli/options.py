@@ -93,6 +93,9 @@ def of_calibrate(made: ArgumentParser) -> None:
         "measured", metavar="MEASURED", type=Path, help="an .npz of measured expressions, or a .risorius project"
     )
     made.add_argument("--report-only", action="store_true", help="adjust nothing; measure the anatomy that ships")
+    made.add_argument(
+        "--hold-out", action="store_true", help="cross-check what was learned on expressions it was not learned from"
+    )
     made.add_argument("--learn", metavar="ANATOMY.json", type=Path, help="write the recipe of anatomy that was learned")
     made.add_argument("-o", "--out", metavar="REPORT.json", type=Path, help="write the figures as JSON, too")
 

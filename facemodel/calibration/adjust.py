@@ -1,53 +1,55 @@
-"""Learn anatomy from measured expressions: turn the knobs of the recipe one by one as long as the fields come nearer.
+"""Learn anatomy from measured expressions: turn the knobs of the recipe as long as the fields come nearer.
 
 There is no parameter per vertex.  What is learned are the numbers of the recipe, in words of landmarks, so that it
 carries over to every head; and how strongly each action unit contracts its muscles.
+
+In every round the slope of every goal by every knob is found at the cost of one factorisation (`slopes`).  The small
+problem that they make is solved at once for all knobs, none farther than a radius from where it stands; then the new
+recipe is solved in full.  If it is not better, the slopes did not hold that far, and the radius is halved.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import nnls
+from scipy.optimize import minimize
 
-from facemodel.actions import ActionUnit, JawMotion
 from facemodel.anatomy.recipe import Anatomy
-from facemodel.calibration.forward import Forward
 from facemodel.calibration.knobs import MOST_TURNS, Knob, knobs, turned
-from facemodel.solution import Progress
+from facemodel.calibration.slopes import Slope, slopes
+from facemodel.calibration.trial import Trial, named_keys
+from facemodel.solution import Cancelled, Progress
 from fem.types import FloatArray
 
 GAIN = 3e-4
-"""Least rise of the mean cosine for which a knob is turned: less is noise of the mesh."""
+"""Least rise of the mean cosine for which knobs are turned: less is noise of the mesh."""
+
+ENOUGH = 2e-3
+"""Rise of the mean cosine in a round below which the next one is not worth its minute."""
 
 CAUTION = 2e-3
 """Loss of mean cosine that one step away from where all knobs stood has to win back: what one face has measured must
 not bend the anatomy of all."""
 
-STRIDES = (1.0, 0.5)
-"""Steps by which knobs are turned, one sweep over all of them each."""
+RADIUS, LEAST_RADIUS = 1.0, 0.25
+"""Steps that a knob goes in one round, at first and at least: below that nothing is gained that is more than noise."""
+
+ROUNDS = 4
+"""Most rounds: each wins about half of what the one before it has left."""
+
+STEADY = 1e-2
+"""Steps below which a knob counts as not turned."""
 
 
-@dataclass(frozen=True, eq=False)
-class Goal:
-    """One measured expression.
-
-    Attributes
-    ----------
-    name : of the expression
-    unit : number of the action unit that answers it
-    groups : names of its muscles with the keys that contract together
-    jaw : motion of the mandible
-    field : (N, 3) what was measured, millimetres
-    """
+@dataclass(frozen=True)
+class Change:
+    """Cosine of one goal before and after something was learned."""
 
     name: str
-    unit: int
-    groups: Mapping[str, tuple[str, ...]]
-    jaw: JawMotion | None
-    field: FloatArray
+    before: float
+    after: float
 
 
 @dataclass(frozen=True)
@@ -59,117 +61,150 @@ class Learned:
     anatomy : the recipe with its knobs turned
     mixtures : contraction of each muscle by the number of the action unit, the strongest 1
     turns : steps by the name of each knob that was turned
-    before, after : mean cosine
+    goals : what it was learned from, in their order
+    stopped : whether it was ended before there was nothing left to gain
     """
 
     anatomy: Anatomy
     mixtures: Mapping[int, Mapping[str, float]]
     turns: Mapping[str, float]
-    before: float
-    after: float
+    goals: tuple[Change, ...]
+    stopped: bool = False
+
+    @property
+    def before(self) -> float:
+        """Mean cosine of all goals at first."""
+        return float(np.mean([goal.before for goal in self.goals]))
+
+    @property
+    def after(self) -> float:
+        """Mean cosine of all goals at last."""
+        return float(np.mean([goal.after for goal in self.goals]))
+
+    @property
+    def at_bounds(self) -> int:
+        """How many knobs were turned as far as they go."""
+        return sum(abs(step) > MOST_TURNS - STEADY for step in self.turns.values())
 
 
-def goals(
-    measured: Mapping[str, FloatArray], wanted: Mapping[str, Mapping[str, float]], units: Sequence[ActionUnit]
-) -> tuple[Goal, ...]:
-    """The expressions that one action unit alone answers, which can be learned from.
+def learned(trials: Sequence[Trial], anatomy: Anatomy, progress: Progress, rounds: int = ROUNDS) -> Learned:
+    """Turn all knobs that move the goals of some faces, as long as the mean cosine rises by more than it costs.
 
     Parameters
     ----------
-    measured : fields (N, 3) by the name of the expression
-    wanted : weights of displacement fields that answer each, see `facemodel.calibration.report.wanted_fields`
-    units : the action units of those fields
+    trials : the faces; all goals of all of them weigh the same
+    progress : if it raises `Cancelled`, what was learned until then is returned, marked as stopped
+    rounds : at most
+
+    Raises
+    ------
+    Cancelled
+        If that is raised before the faces are solved for the first time.
     """
-    made = []
-    for name, weights in wanted.items():
-        unit = next((u for u in units if set(weights) <= set(u.fields)), None)
-        if unit is None or not (unit.muscles or unit.jaw):
-            continue
-        sides = [field[-1] if unit.paired else "" for field in weights]
-        both = sides if sides != [""] else ["L", "R"]
-        groups = {m: (m, *(f"{m}_{side}" for side in both)) for m, w in unit.muscles.items() if w}
-        jaw = unit.jaw_of(next(iter(weights))) if unit.jaw else None
-        made.append(Goal(name, unit.number, groups, jaw, measured[name]))
-    return tuple(made)
+    search = _Search(trials, anatomy, progress)
+    before, stopped = search.cosines, False
+    try:
+        _turn(search, progress, rounds)
+    except Cancelled:
+        stopped = True
+    result = search.anatomy
+    mixtures: dict[int, dict[str, float]] = {}
+    for trial in trials:
+        mixtures |= trial.cosines(result)[1]
+    names = [aim.name for trial in trials for aim in trial.aims]
+    changes = tuple(map(Change, names, before.tolist(), search.cosines.tolist()))
+    turns = {k.name: float(s) for k, s in zip(search.knobs, search.steps, strict=True) if abs(s) > STEADY}
+    return Learned(result, mixtures, turns, changes, stopped)
 
 
-class Trial:
-    """How near a recipe comes to some goals on one face."""
+class _Search:
+    """The knobs where they stand, and how near the goals are there."""
 
-    def __init__(self, forward: Forward, aims: Sequence[Goal], units: Sequence[ActionUnit]) -> None:
-        self._forward, self.aims = forward, aims
-        self._signs = {u.number: {m: float(np.sign(w)) for m, w in u.muscles.items()} for u in units}
-        self._root = np.sqrt(forward.face.skin.vertex_areas)[:, None]
+    def __init__(self, trials: Sequence[Trial], anatomy: Anatomy, progress: Progress) -> None:
+        named = named_keys(trials)
+        self._trials, self._start = trials, anatomy
+        self.knobs: tuple[Knob, ...] = tuple(k for k in knobs(anatomy) if not k.muscle or k.muscle in named)
+        self.steps = np.zeros(len(self.knobs))
+        self.cosines = self._cosines(self.steps, progress)
 
-    def cosines(self, anatomy: Anatomy) -> tuple[list[float], dict[int, dict[str, float]]]:
-        """Cosine of every goal with the best mixture of its muscles, and the mixtures by action unit."""
-        found, mixtures = [], {}
-        for aim in self.aims:
-            names, columns = self._columns(anatomy, aim)
-            target = (aim.field * self._root).ravel()
-            sizes = np.maximum(np.linalg.norm(columns, axis=0), np.finfo(np.float64).tiny)
-            weights, _ = nnls(columns / sizes, target)
-            mixed = (columns / sizes) @ weights
-            scale = np.linalg.norm(mixed) * np.linalg.norm(target)
-            found.append(float(mixed @ target / scale) if scale > 0 else 0.0)
-            pulls = {n: w for n, w in zip(names, weights / sizes, strict=True) if n}
-            most = max(pulls.values(), default=0.0)
-            signs = self._signs[aim.unit]
-            mixtures[aim.unit] = {n: signs[n] * w / most for n, w in pulls.items()} if most > 0 else {}
-        return found, mixtures
+    @property
+    def anatomy(self) -> Anatomy:
+        """The recipe with the knobs turned."""
+        return turned(self._start, self.knobs, self.steps)
 
-    def _columns(self, anatomy: Anatomy, aim: Goal) -> tuple[list[str], FloatArray]:
-        """Fields (3 N, k) of the muscles of a goal, and of its jaw under no name, weighted by the root of the area."""
-        known = self._forward.muscle_fields(anatomy, {key for keys in aim.groups.values() for key in keys})
-        names: list[str] = []
-        columns = []
-        for name, keys in aim.groups.items():
-            own = [known[key] for key in keys if key in known]
-            if own:
-                names.append(name)
-                columns.append(self._signs[aim.unit][name] * np.sum(own, axis=0))
-        if aim.jaw is not None:
-            names.append("")
-            columns.append(self._forward.jaw_field(anatomy, aim.jaw))
-        return names, np.stack([(field * self._root).ravel() for field in columns], axis=1)
+    @property
+    def worth(self) -> float:
+        """Mean cosine less what caution costs."""
+        return _worth(self.cosines, self.steps)
 
+    def slopes(self, progress: Progress) -> list[Slope]:
+        """The slopes of all goals here."""
+        found: list[Slope] = []
+        for number, trial in enumerate(self._trials):
 
-def learned(trial: Trial, anatomy: Anatomy, progress: Progress) -> Learned:
-    """Turn every knob that moves the goals, one by one, as long as the mean cosine rises by more than it costs."""
-    muscles = {name for aim in trial.aims for name in aim.groups}
-    own = tuple(knob for knob in knobs(anatomy) if not knob.muscle or knob.muscle in muscles)
-    steps = np.zeros(len(own))
-    best = before = _worth(trial, anatomy, own, steps)
-    order = [(stride, number) for stride in STRIDES for number in range(len(own))]
-    for done, (stride, number) in enumerate(order):
-        progress(f"Turning {own[number].name}, mean cosine {best:.3f}", done / len(order))
-        for other in _ways(steps, number, stride):
-            worth = _worth(trial, anatomy, own, other)
-            if worth > best + GAIN:
-                steps, best = other, worth
-                break
-    result = turned(anatomy, own, steps)
-    after, mixtures = trial.cosines(result)
-    turns = {knob.name: float(step) for knob, step in zip(own, steps, strict=True) if step}
-    return Learned(result, mixtures, turns, before, float(np.mean(after)))
+            def told(done: int, total: int, face: int = number) -> None:
+                progress("Trying all knobs", (face + done / total) / len(self._trials))
+
+            found += slopes(trial, self.anatomy, self.knobs, told)
+        return found
+
+    def go(self, steps: FloatArray, progress: Progress) -> bool:
+        """Turn the knobs there if that is worth it."""
+        cosines = self._cosines(steps, progress)
+        if _worth(cosines, steps) < self.worth + GAIN:
+            return False
+        self.steps, self.cosines = steps, cosines
+        return True
+
+    def _cosines(self, steps: FloatArray, progress: Progress) -> FloatArray:
+        here, found = turned(self._start, self.knobs, steps), []
+        for trial in self._trials:
+            progress("Solving all goals", 0.0)
+            for met in trial.met(here):
+                found.append(met.cosine)
+                progress("Solving all goals", len(found) / sum(len(each.aims) for each in self._trials))
+        return np.array(found)
 
 
-def _ways(steps: FloatArray, number: int, stride: float) -> Iterator[FloatArray]:
-    for way in (stride, -stride):
-        other = steps.copy()
-        other[number] += way
-        if abs(other[number]) <= MOST_TURNS:
-            yield other
+SLOPES = 0.85
+"""Share of a round's time that its slopes take; the rest is for going there."""
 
 
-def _worth(trial: Trial, anatomy: Anatomy, own: Sequence[Knob], steps: FloatArray) -> float:
-    cosines, _ = trial.cosines(turned(anatomy, own, steps))
-    return float(np.mean(cosines)) - CAUTION * float(np.mean(steps**2))
+def _turn(search: _Search, progress: Progress, rounds: int) -> None:
+    radius = RADIUS
+    for number in range(rounds):
+        at = search.worth
+        found = search.slopes(_part(search, progress, number, rounds, 0.0))
+        while not search.go(_best(found, search.steps, radius), _part(search, progress, number, rounds, SLOPES)):
+            radius /= 2
+            if radius < LEAST_RADIUS:
+                return
+        if search.worth < at + ENOUGH:
+            return
 
 
-def with_mixtures(units: Sequence[ActionUnit], mixtures: Mapping[int, Mapping[str, float]]) -> tuple[ActionUnit, ...]:
-    """Action units that contract their muscles as was learned; the others stay as they are."""
-    return tuple(
-        replace(unit, muscles={**unit.muscles, **mixtures[unit.number]}) if mixtures.get(unit.number) else unit
-        for unit in units
-    )
+def _part(search: _Search, progress: Progress, number: int, rounds: int, start: float) -> Progress:
+    """Progress of the first or the second part of a round."""
+    length = (1 - SLOPES) if start else SLOPES
+    said = f"round {number + 1} of at most {rounds}, mean cosine {search.cosines.mean():.3f}"
+
+    def told(text: str, share: float) -> None:
+        progress(f"{text}, {said}", (number + start + length * share) / rounds)
+
+    return told
+
+
+def _best(found: Sequence[Slope], steps: FloatArray, radius: float) -> FloatArray:
+    """Where (n,) the knobs do best by their slopes, none farther than a radius from where they are."""
+
+    def loss(other: FloatArray) -> tuple[float, FloatArray]:
+        cosines, rises = zip(*(slope.cosine(other - steps) for slope in found), strict=True)
+        rise = np.mean(rises, axis=0) - 2 * CAUTION * other / len(other)
+        return -_worth(np.array(cosines), other), -rise
+
+    low, high = np.maximum(steps - radius, -MOST_TURNS), np.minimum(steps + radius, MOST_TURNS)
+    return np.asarray(minimize(loss, steps, jac=True, method="L-BFGS-B", bounds=np.stack([low, high], axis=1)).x)
+
+
+def _worth(cosines: FloatArray, steps: FloatArray) -> float:
+    return float(cosines.mean()) - CAUTION * float(np.mean(steps**2))

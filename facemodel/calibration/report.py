@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from facemodel.arkit import answering_fields, find_arkit
-from facemodel.calibration.adjust import Learned
 from facemodel.calibration.figures import Figures, compare_fields
 from fem.types import FloatArray
 
@@ -131,24 +130,3 @@ def report_text(report: Report) -> str:
 def mixture(fields: Mapping[str, float]) -> str:
     """Weights of fields as people write them: ``AU 12L``, ``AU 12L + 0.3 AU 6L``."""
     return " + ".join(f"AU {name}" if weight == 1 else f"{weight:g} AU {name}" for name, weight in fields.items())
-
-
-def learned_json(found: Learned) -> dict[str, Any]:
-    """What was learned as JSON."""
-    return {
-        "mean_cosine_before": found.before,
-        "mean_cosine_after": found.after,
-        "turned": dict(found.turns),
-        "mixtures": {str(number): dict(pulls) for number, pulls in found.mixtures.items()},
-    }
-
-
-def learned_text(found: Learned) -> str:
-    """What was learned for people."""
-    lines = [
-        f"learned: mean cosine {found.before:.3f} before, {found.after:.3f} after, {len(found.turns)} knobs turned"
-    ]
-    for number, pulls in found.mixtures.items():
-        parts = " + ".join(f"{weight:.2g} {name.replace('_', ' ')}" for name, weight in pulls.items() if weight)
-        lines.append(f"  AU {number}: {parts or 'the jaw alone'}")
-    return "\n".join(lines)

@@ -8,16 +8,23 @@ import pytest
 from facemodel.actions import ActionUnit, field_names
 from facemodel.anatomy.files import shipped_anatomy
 from facemodel.anatomy.recipe import Anatomy
-from facemodel.calibration.adjust import Goal, Learned, Trial, goals, learned, with_mixtures
+from facemodel.calibration.adjust import ENOUGH, Learned, learned
 from facemodel.calibration.forward import Forward, Lender
+from facemodel.calibration.goals import Goal, goals, with_mixtures
 from facemodel.calibration.knobs import MOST_TURNS, knobs, turned
 from facemodel.calibration.report import wanted_fields
+from facemodel.calibration.slopes import SMALL, slopes
+from facemodel.calibration.trial import Trial
 from facemodel.faces import load_face
 from facemodel.facs import action_units
-from facemodel.solution import silent
+from facemodel.solution import Cancelled, silent
 from fem.types import FloatArray
 
 HEAD = load_face("ada")
+
+FORETOLD, GRAIN = 0.3, 1e-5
+"""Share of a turn's effect by which the slope of tissue, which bends, may miss it; muscles are met but for rounding."""
+
 SMILE = ActionUnit(12, "smile", "diagonal", True, {"zygomaticus_major": 1.0}, 15.0)
 
 
@@ -57,13 +64,40 @@ def trial(forward: Forward, measured: FloatArray) -> Trial:
 
 @pytest.fixture(scope="module")
 def found(trial: Trial) -> Learned:
-    return learned(trial, OURS, silent)
+    return learned([trial], OURS, silent)
 
 
 def test_learning_comes_nearer_and_says_by_how_much(found: Learned, trial: Trial) -> None:
     assert found.after > found.before + 0.3 * (1 - found.before)
     assert found.before == pytest.approx(trial.cosines(OURS)[0][0])
     assert found.after == pytest.approx(trial.cosines(found.anatomy)[0][0])
+
+
+def test_learning_that_is_stopped_keeps_what_it_has(trial: Trial) -> None:
+    def stop_in_the_second_round(text: str, _share: float) -> None:
+        if "round 2" in text:
+            raise Cancelled
+
+    found = learned([trial], OURS, stop_in_the_second_round)
+    assert found.stopped
+    assert found.turns
+    assert found.after > found.before + ENOUGH
+    assert found.after == pytest.approx(trial.cosines(found.anatomy)[0][0])
+
+
+def test_slopes_foretell_what_a_small_turn_does(trial: Trial) -> None:
+    told: list[tuple[int, int]] = []
+    (slope,) = slopes(trial, OURS, knobs(OURS), lambda done, total: told.append((done, total)))
+    assert told == sorted(told)
+    assert told[-1][0] < told[-1][1] == len(KNOBS)
+    here = trial.cosines(OURS)[0][0]
+    assert slope.cosine(np.zeros(len(KNOBS)))[0] == pytest.approx(here, abs=GRAIN)
+    for number, knob in enumerate(knobs(OURS)):
+        turns = np.zeros(len(KNOBS))
+        turns[number] = SMALL
+        true = trial.cosines(turned(OURS, knobs(OURS), turns))[0][0] - here
+        off = GRAIN if knob.muscle else FORETOLD * abs(true) + GRAIN
+        assert slope.cosine(turns)[0] - here == pytest.approx(true, abs=off), knob.name
 
 
 def test_no_knob_goes_beyond_its_bounds(found: Learned) -> None:
