@@ -10,15 +10,15 @@ recipe is solved in full.  If it is not better, the slopes did not hold that far
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import minimize
 
 from facemodel.anatomy.recipe import Anatomy
-from facemodel.calibration.knobs import MOST_TURNS, Knob, knobs, turned
-from facemodel.calibration.slopes import Slope, slopes
+from facemodel.calibration.knobs import Knob, knobs, turned
+from facemodel.calibration.slopes import Slope, slopes, small_turns
 from facemodel.calibration.trial import Trial, named_keys
 from facemodel.solution import Cancelled, Progress
 from fem.types import FloatArray
@@ -62,6 +62,7 @@ class Learned:
     mixtures : contraction of each muscle by the number of the action unit, the strongest 1
     turns : steps by the name of each knob that was turned
     goals : what it was learned from, in their order
+    at_bounds : how many knobs were turned as far as they go
     stopped : whether it was ended before there was nothing left to gain
     """
 
@@ -69,6 +70,7 @@ class Learned:
     mixtures: Mapping[int, Mapping[str, float]]
     turns: Mapping[str, float]
     goals: tuple[Change, ...]
+    at_bounds: int = 0
     stopped: bool = False
 
     @property
@@ -81,13 +83,14 @@ class Learned:
         """Mean cosine of all goals at last."""
         return float(np.mean([goal.after for goal in self.goals]))
 
-    @property
-    def at_bounds(self) -> int:
-        """How many knobs were turned as far as they go."""
-        return sum(abs(step) > MOST_TURNS - STEADY for step in self.turns.values())
 
-
-def learned(trials: Sequence[Trial], anatomy: Anatomy, progress: Progress, rounds: int = ROUNDS) -> Learned:
+def learned(
+    trials: Sequence[Trial],
+    anatomy: Anatomy,
+    progress: Progress,
+    rounds: int = ROUNDS,
+    turnable: Callable[[Knob], bool] = lambda _: True,
+) -> Learned:
     """Turn all knobs that move the goals of some faces, as long as the mean cosine rises by more than it costs.
 
     Parameters
@@ -95,13 +98,14 @@ def learned(trials: Sequence[Trial], anatomy: Anatomy, progress: Progress, round
     trials : the faces; all goals of all of them weigh the same
     progress : if it raises `Cancelled`, what was learned until then is returned, marked as stopped
     rounds : at most
+    turnable : which knobs may be turned
 
     Raises
     ------
     Cancelled
         If that is raised before the faces are solved for the first time.
     """
-    search = _Search(trials, anatomy, progress)
+    search = _Search(trials, anatomy, turnable, progress)
     before, stopped = search.cosines, False
     try:
         _turn(search, progress, rounds)
@@ -114,16 +118,20 @@ def learned(trials: Sequence[Trial], anatomy: Anatomy, progress: Progress, round
     names = [aim.name for trial in trials for aim in trial.aims]
     changes = tuple(map(Change, names, before.tolist(), search.cosines.tolist()))
     turns = {k.name: float(s) for k, s in zip(search.knobs, search.steps, strict=True) if abs(s) > STEADY}
-    return Learned(result, mixtures, turns, changes, stopped)
+    return Learned(result, mixtures, turns, changes, search.at_bounds, stopped)
 
 
 class _Search:
     """The knobs where they stand, and how near the goals are there."""
 
-    def __init__(self, trials: Sequence[Trial], anatomy: Anatomy, progress: Progress) -> None:
+    def __init__(
+        self, trials: Sequence[Trial], anatomy: Anatomy, turnable: Callable[[Knob], bool], progress: Progress
+    ) -> None:
         named = named_keys(trials)
         self._trials, self._start = trials, anatomy
-        self.knobs: tuple[Knob, ...] = tuple(k for k in knobs(anatomy) if not k.muscle or k.muscle in named)
+        own = (knob for knob in knobs(anatomy) if not knob.muscle or knob.muscle in named)
+        self.knobs: tuple[Knob, ...] = tuple(filter(turnable, own))
+        self._least, self._most = (np.array([getattr(k, end) for k in self.knobs]) for end in ("least", "most"))
         self.steps = np.zeros(len(self.knobs))
         self.cosines = self._cosines(self.steps, progress)
 
@@ -131,6 +139,12 @@ class _Search:
     def anatomy(self) -> Anatomy:
         """The recipe with the knobs turned."""
         return turned(self._start, self.knobs, self.steps)
+
+    @property
+    def at_bounds(self) -> int:
+        """How many knobs are turned as far as they go."""
+        ended = (self.steps < self._least + STEADY) | (self.steps > self._most - STEADY)
+        return int((ended & (np.abs(self.steps) > STEADY)).sum())
 
     @property
     def worth(self) -> float:
@@ -145,8 +159,20 @@ class _Search:
             def told(done: int, total: int, face: int = number) -> None:
                 progress("Trying all knobs", (face + done / total) / len(self._trials))
 
-            found += slopes(trial, self.anatomy, self.knobs, told)
+            found += slopes(trial, self.anatomy, self.knobs, small_turns(self.knobs, self.steps), told)
         return found
+
+    def best(self, found: Sequence[Slope], radius: float) -> FloatArray:
+        """Where (n,) the knobs do best by slopes that were found here, none farther than a radius from here."""
+        here = self.steps
+
+        def loss(other: FloatArray) -> tuple[float, FloatArray]:
+            cosines, rises = zip(*(slope.cosine(other - here) for slope in found), strict=True)
+            rise = np.mean(rises, axis=0) - 2 * CAUTION * other / len(other)
+            return -_worth(np.array(cosines), other), -rise
+
+        bounds = np.stack([np.maximum(here - radius, self._least), np.minimum(here + radius, self._most)], axis=1)
+        return np.asarray(minimize(loss, here, jac=True, method="L-BFGS-B", bounds=bounds).x)
 
     def go(self, steps: FloatArray, progress: Progress) -> bool:
         """Turn the knobs there if that is worth it."""
@@ -175,7 +201,7 @@ def _turn(search: _Search, progress: Progress, rounds: int) -> None:
     for number in range(rounds):
         at = search.worth
         found = search.slopes(_part(search, progress, number, rounds, 0.0))
-        while not search.go(_best(found, search.steps, radius), _part(search, progress, number, rounds, SLOPES)):
+        while not search.go(search.best(found, radius), _part(search, progress, number, rounds, SLOPES)):
             radius /= 2
             if radius < LEAST_RADIUS:
                 return
@@ -192,18 +218,6 @@ def _part(search: _Search, progress: Progress, number: int, rounds: int, start: 
         progress(f"{text}, {said}", (number + start + length * share) / rounds)
 
     return told
-
-
-def _best(found: Sequence[Slope], steps: FloatArray, radius: float) -> FloatArray:
-    """Where (n,) the knobs do best by their slopes, none farther than a radius from where they are."""
-
-    def loss(other: FloatArray) -> tuple[float, FloatArray]:
-        cosines, rises = zip(*(slope.cosine(other - steps) for slope in found), strict=True)
-        rise = np.mean(rises, axis=0) - 2 * CAUTION * other / len(other)
-        return -_worth(np.array(cosines), other), -rise
-
-    low, high = np.maximum(steps - radius, -MOST_TURNS), np.minimum(steps + radius, MOST_TURNS)
-    return np.asarray(minimize(loss, steps, jac=True, method="L-BFGS-B", bounds=np.stack([low, high], axis=1)).x)
 
 
 def _worth(cosines: FloatArray, steps: FloatArray) -> float:

@@ -27,12 +27,15 @@ class Knob:
     step : how far one turn goes: millimetres, or the logarithm of a factor
     turned : the recipe with this number turned so many steps from where it is
     muscle : whose it is; empty for one of the tissue
+    least, most : steps from where it is within which its number keeps its own bounds
     """
 
     name: str
     step: float
     turned: Callable[[Anatomy, float], Anatomy]
     muscle: str = ""
+    least: float = -MOST_TURNS
+    most: float = MOST_TURNS
 
 
 ATTACHED, ORIGINATED = 4.0, 5.0
@@ -44,8 +47,11 @@ WIDER, SHARPER = 0.35, 0.5
 WIDTHS, KAPPAS = (6.5, 26.0), (0.5, 8.0)
 """Bounds of width, millimetres, and kappa: a narrower pull would fall between the vertices of a coarse skin."""
 
-FIRMER = 0.5
-"""Logarithm of the factor on the tissue of one step."""
+FIRMER, SHARE = 0.5, 0.25
+"""Logarithm of the factor on the tissue, and part of a share, of one step."""
+
+FREE = (-MOST_TURNS, MOST_TURNS)
+"""Steps of a knob whose number has no bounds of its own."""
 
 
 def knobs(anatomy: Anatomy) -> tuple[Knob, ...]:
@@ -71,15 +77,25 @@ def turned(anatomy: Anatomy, all_knobs: Sequence[Knob], steps: FloatArray) -> An
 
 
 def _band_knobs(number: int, band: Band) -> list[Knob]:
-    def knob(what: str, step: float, change: Callable[[Band, float], Band]) -> Knob:
-        return Knob(f"{band.name} {what}", step, _on("bands", number, change, step), band.name)
+    def knob(what: str, step: float, change: Callable[[Band, float], Band], bounds: tuple[float, float] = FREE) -> Knob:
+        return Knob(f"{band.name} {what}", step, _on("bands", number, change, step), band.name, *bounds)
 
     def shifted(end: str, axis: int, first: float, last: float) -> Callable[[Band, float], Band]:
         return lambda b, x: replace(b, courses=_shifted(b.courses, end, axis, first * x, last * x))
 
     made = [
-        knob("width", WIDER, lambda b, x: replace(b, width=_times(b.width, x, WIDTHS))),
-        knob("kappa", SHARPER, lambda b, x: replace(b, kappa=_times(b.kappa, x, KAPPAS))),
+        knob(
+            "width",
+            WIDER,
+            lambda b, x: replace(b, width=_times(b.width, x, WIDTHS)),
+            _within(band.width, WIDTHS, WIDER),
+        ),
+        knob(
+            "kappa",
+            SHARPER,
+            lambda b, x: replace(b, kappa=_times(b.kappa, x, KAPPAS)),
+            _within(band.kappa, KAPPAS, SHARPER),
+        ),
     ]
     for axis, way in ((0, "lateral"), (1, "up")):
         if band.midline and axis == 0:
@@ -91,6 +107,12 @@ def _band_knobs(number: int, band: Band) -> list[Knob]:
             made.append(knob(f"first attachment {way}", ATTACHED, shifted("attachment", axis, 1, 0)))
             made.append(knob(f"last attachment {way}", ATTACHED, shifted("attachment", axis, 0, 1)))
     return made
+
+
+def _within(value: float, bounds: tuple[float, float], step: float) -> tuple[float, float]:
+    """Steps by which a factor may be turned so that the value keeps its bounds."""
+    low, high = (float(np.log(bound / value)) / step for bound in bounds)
+    return min(max(low, -MOST_TURNS), 0.0), max(min(high, MOST_TURNS), 0.0)
 
 
 def _times(value: float, log: float, bounds: tuple[float, float]) -> float:
@@ -110,8 +132,8 @@ def _shifted(courses: tuple[Course, ...], end: str, axis: int, first: float, las
 
 
 def _ring_knobs(number: int, ring: Ring) -> list[Knob]:
-    def knob(what: str, step: float, change: Callable[[Ring, float], Ring]) -> Knob:
-        return Knob(f"{ring.name} {what}", step, _on("rings", number, change, step), ring.name)
+    def knob(what: str, step: float, change: Callable[[Ring, float], Ring], bounds: tuple[float, float] = FREE) -> Knob:
+        return Knob(f"{ring.name} {what}", step, _on("rings", number, change, step), ring.name, *bounds)
 
     def share(name: str, low: float, high: float) -> Callable[[Ring, float], Ring]:
         return lambda r, x: _with(r, name, float(np.clip(getattr(r, name) + x, low, high)))
@@ -130,11 +152,16 @@ def _ring_knobs(number: int, ring: Ring) -> list[Knob]:
         knob("up", ATTACHED / 2, raised),
     ]
     if ring.model == "sphincter":
-        made.append(knob("focus", 0.25, share("focus", 0, 1)))
+        made.append(knob("focus", SHARE, share("focus", 0, 1), _inside(ring.focus, 0, 1)))
     if ring.model in ("sphincter", "mouth"):
-        made.append(knob("forward", 0.25, share("forward", -1, 1)))
-        made.append(knob("inward", 0.25, share("inward", -1, 1)))
+        made.append(knob("forward", SHARE, share("forward", -1, 1), _inside(ring.forward, -1, 1)))
+        made.append(knob("inward", SHARE, share("inward", -1, 1), _inside(ring.inward, -1, 1)))
     return made
+
+
+def _inside(value: float, low: float, high: float) -> tuple[float, float]:
+    """Steps by which a share may be turned so that it keeps its bounds."""
+    return min(max((low - value) / SHARE, -MOST_TURNS), 0.0), max(min((high - value) / SHARE, MOST_TURNS), 0.0)
 
 
 def _tissue_knob(layer: str) -> Knob:

@@ -72,17 +72,24 @@ def _nearest(gram: FloatArray, onto: FloatArray) -> FloatArray:
     return np.asarray(nnls(upper, solve_triangular(upper, onto / scale, trans="T"))[0] / scale)
 
 
-def slopes(trial: Trial, anatomy: Anatomy, knobs: Sequence[Knob], told: Told) -> list[Slope]:
+def small_turns(knobs: Sequence[Knob], steps: FloatArray) -> FloatArray:
+    """By how much to turn each knob (n,) from where it stands to feel its slope: upwards, unless that is its end."""
+    most = np.array([knob.most for knob in knobs])
+    return np.where(steps + SMALL > most, -SMALL, SMALL)
+
+
+def slopes(trial: Trial, anatomy: Anatomy, knobs: Sequence[Knob], smalls: FloatArray, told: Told) -> list[Slope]:
     """The slopes of all goals of a face where the knobs stand now.
 
     Parameters
     ----------
+    smalls : steps (n,) by which each knob is turned to feel its slope
     told : how many knobs have been tried and of how many; whatever it raises ends it
     """
     met = list(trial.met(anatomy))
     added: list[list[_Added]] = [[] for _ in met]
     of_tissue = [number for number, knob in enumerate(knobs) if not knob.muscle]
-    for number, key, change in _of_muscles(trial, anatomy, knobs, lambda done: told(done, len(knobs))):
+    for number, key, change in _of_muscles(trial, anatomy, knobs, smalls, lambda done: told(done, len(knobs))):
         name = knobs[number].muscle
         for goal, own in zip(met, added, strict=True):
             if key in goal.goal.groups.get(name, ()):
@@ -90,9 +97,9 @@ def slopes(trial: Trial, anatomy: Anatomy, knobs: Sequence[Knob], told: Told) ->
     mixtures = [trial.mixture(anatomy, goal) for goal in met]
     for done, number in enumerate(of_tissue):
         told(len(knobs) - len(of_tissue) + done, len(knobs))
-        other = knobs[number].turned(anatomy, SMALL).tissue
+        other = knobs[number].turned(anatomy, float(smalls[number])).tissue
         for own, change in zip(added, trial.forward.changes(anatomy.tissue, other, mixtures), strict=True):
-            own.append(_Added(number, WHOLE, change / SMALL))
+            own.append(_Added(number, WHOLE, change / smalls[number]))
     return [_slope(trial, goal, own) for goal, own in zip(met, added, strict=True)]
 
 
@@ -106,14 +113,14 @@ class _Added:
 
 
 def _of_muscles(
-    trial: Trial, anatomy: Anatomy, knobs: Sequence[Knob], told: Callable[[int], None]
+    trial: Trial, anatomy: Anatomy, knobs: Sequence[Knob], smalls: FloatArray, told: Callable[[int], None]
 ) -> Iterator[tuple[int, str, FloatArray]]:
     """Number of a knob, key of a muscle that it turns, and what one step changes of its field (N, 3)."""
     named = named_keys([trial])
     turned: list[tuple[int, Muscle]] = []
     for number, knob in enumerate(knobs):
         if knob.muscle in named:
-            other = knob.turned(anatomy, SMALL)
+            other = knob.turned(anatomy, float(smalls[number]))
             turned += [(number, muscle) for muscle in trial.forward.muscles(other, named[knob.muscle])]
     now = trial.forward.muscle_fields(anatomy, {muscle.key for _, muscle in turned})
     of_muscles = sum(bool(knob.muscle) for knob in knobs)
@@ -121,7 +128,7 @@ def _of_muscles(
         [muscle for _, muscle in turned], anatomy.tissue, lambda done, all_: told(of_muscles * done // max(all_, 1))
     )
     for (number, muscle), field in zip(turned, fields, strict=True):
-        yield number, muscle.key, (field - now[muscle.key]) / SMALL
+        yield number, muscle.key, (field - now[muscle.key]) / smalls[number]
 
 
 def _slope(trial: Trial, met: Met, added: Sequence[_Added]) -> Slope:

@@ -13,7 +13,7 @@ from facemodel.calibration.forward import Forward, Lender
 from facemodel.calibration.goals import Goal, goals, with_mixtures
 from facemodel.calibration.knobs import MOST_TURNS, knobs, turned
 from facemodel.calibration.report import wanted_fields
-from facemodel.calibration.slopes import SMALL, slopes
+from facemodel.calibration.slopes import slopes, small_turns
 from facemodel.calibration.trial import Trial
 from facemodel.faces import load_face
 from facemodel.facs import action_units
@@ -87,14 +87,15 @@ def test_learning_that_is_stopped_keeps_what_it_has(trial: Trial) -> None:
 
 def test_slopes_foretell_what_a_small_turn_does(trial: Trial) -> None:
     told: list[tuple[int, int]] = []
-    (slope,) = slopes(trial, OURS, knobs(OURS), lambda done, total: told.append((done, total)))
+    smalls = small_turns(knobs(OURS), np.zeros(len(KNOBS)))
+    (slope,) = slopes(trial, OURS, knobs(OURS), smalls, lambda done, total: told.append((done, total)))
     assert told == sorted(told)
     assert told[-1][0] < told[-1][1] == len(KNOBS)
     here = trial.cosines(OURS)[0][0]
     assert slope.cosine(np.zeros(len(KNOBS)))[0] == pytest.approx(here, abs=GRAIN)
     for number, knob in enumerate(knobs(OURS)):
         turns = np.zeros(len(KNOBS))
-        turns[number] = SMALL
+        turns[number] = smalls[number]
         true = trial.cosines(turned(OURS, knobs(OURS), turns))[0][0] - here
         off = GRAIN if knob.muscle else FORETOLD * abs(true) + GRAIN
         assert slope.cosine(turns)[0] - here == pytest.approx(true, abs=off), knob.name
