@@ -1,7 +1,8 @@
-"""Where muscles pull on the skin, kept as long as they act the same."""
+"""Which muscle lies at a place of the skin, kept as long as the muscles are the same."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -17,20 +18,25 @@ from fem.types import FloatArray
 FAINTEST = 0.05
 """Share of its largest pull below which a muscle is not felt at a place."""
 
+ALL_ALONG = 0.25
+"""Kappa of fibres that pull much the same along their whole length: a muscle lies where its belly is, even if it moves
+the skin only where it is attached, as frontalis does at the brow."""
+
 
 class MusclePulls:
-    """How strongly muscles act on every vertex; painting the face does not change it."""
+    """Where muscles lie under the skin; painting the face does not change it."""
 
     def __init__(self) -> None:
         self._kept: WeakKeyDictionary[Muscle, Kept[FloatArray]] = WeakKeyDictionary()
 
     def of(self, muscle: Muscle, face: Face) -> FloatArray:
-        """How strongly (N,) a muscle acts at full contraction, N/mm^2 or mm as its model says."""
+        """How strongly (N,) a muscle would act if its fibres pulled all along, N/mm^2 or mm as its model says."""
         kept = self._kept.setdefault(muscle, Kept())
-        return kept.get(acting(muscle, face), lambda: np.linalg.norm(muscle_action(muscle, face), axis=1))
+        even = replace(muscle, kappa=min(muscle.kappa, ALL_ALONG))
+        return kept.get(acting(muscle, face), lambda: np.linalg.norm(muscle_action(even, face), axis=1))
 
     def strongest(self, project: Project, vertex: int, hidden: frozenset[str] = frozenset()) -> Muscle | None:
-        """The muscle that pulls most at a skin vertex, measured by its own largest pull; None where none does."""
+        """The muscle that lies most under a skin vertex, measured by its own largest pull; None where none does."""
         best, share = None, FAINTEST
         for muscle in project.muscles:
             pull = self.of(muscle, project.face)

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.muscle_pulls import MusclePulls
 from tests.ui.sitter import OPEN, sitter, studio, weights
 from ui.viewport.pick import first_hit, ray_through, skin_vertex
 
@@ -68,6 +69,18 @@ def test_the_backdrop_is_nothing() -> None:
     scene.look_from("front")
     assert scene.pick(3, 3) is None
     assert scene.muscle_at(3, 3) is None
+
+
+@pytest.mark.parametrize("above", [12.0, 20.0, 30.0])
+@pytest.mark.parametrize(("brow", "muscle"), [("brow_inner_L", "frontalis_medialis_L"), ("brow_mid_R", "frontalis")])
+def test_on_the_forehead_frontalis_lies_under_the_pointer(brow: str, muscle: str, above: float) -> None:
+    """It moves the skin at the brow alone, and lies above that."""
+    project, _ = sitter()
+    place = project.face.skin.positions[project.face.landmarks[brow]] + np.array([0, above, 0])
+    vertex = int(project.face.skin.tree.query(place)[1])
+    found = MusclePulls().strongest(project, vertex)
+    assert found is not None
+    assert found.key.startswith(muscle)
 
 
 @pytest.mark.parametrize(("place", "group"), [("brow_inner", "brow"), ("pogonion", "chin")])

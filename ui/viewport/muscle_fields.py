@@ -26,19 +26,6 @@ def muscle_named(project: Project, key: str) -> Muscle | None:
     return next((muscle for muscle in project.muscles if muscle.key == key), None)
 
 
-def strongest_muscle(project: Project, vertex: int, hidden: frozenset[str] = frozenset()) -> Muscle | None:
-    """The muscle that pulls most at a skin vertex, measured by its own largest pull; None where none does."""
-    best, share = None, 0.05
-    for muscle in project.muscles:
-        if muscle.key in hidden:
-            continue
-        pull = muscle_pull(muscle, project.face)
-        top = float(pull.max())
-        if top > 0 and pull[vertex] / top > share:
-            best, share = muscle, float(pull[vertex] / top)
-    return best
-
-
 @lru_cache(maxsize=256)
 def muscle_force(muscle: Muscle, face: Face) -> FloatArray:
     """Force per area (N, 3) of a muscle on the skin at full contraction, N/mm^2, turned along the bone."""

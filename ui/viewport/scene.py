@@ -12,6 +12,7 @@ import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.differences import same_head
+from app.muscle_pulls import MusclePulls
 from app.solo import unit_in_hand
 from app.view_state import ViewState
 from facemodel.actions import Expression
@@ -38,7 +39,7 @@ from ui.viewport.camera import (
 from ui.viewport.figure import Figure
 from ui.viewport.lights import light
 from ui.viewport.mount import HeadMount
-from ui.viewport.muscle_fields import muscle_named, muscle_pull, strongest_muscle
+from ui.viewport.muscle_fields import muscle_named, muscle_pull
 from ui.viewport.overlays.forces import ForcesOverlay
 from ui.viewport.overlays.influence import InfluenceOverlay
 from ui.viewport.overlays.muscles import MusclesOverlay
@@ -82,6 +83,7 @@ class Scene:
         self.mount = HeadMount()
         self._drawn: Drawn | None = None
         self.coat: Coat | None = None
+        self._pulls = MusclePulls()
         self.skull = SkullOverlay(self.renderer)
         self._overlays: dict[str, Overlay] = {
             "skull": self.skull,
@@ -259,13 +261,12 @@ class Scene:
         return self.mount.inside(origin), self.mount.inwards(along)
 
     def muscle_at(self, x: float, y: float) -> Muscle | None:
-        """The muscle that pulls most on the skin under a point of the picture."""
+        """The muscle that lies most under a point of the picture."""
         hit = self.pick(x, y)
         if hit is None or self._drawn is None or self.figure is None:
             return None
-        project = self._drawn.project
-        vertex = skin_vertex(project.face, self.figure.posed.basis.display, hit)
-        return strongest_muscle(project, vertex, self.state.hidden)
+        vertex = skin_vertex(self._drawn.project.face, self.figure.posed.basis.display, hit)
+        return self._pulls.strongest(self._drawn.project, vertex, self.state.hidden)
 
     def _seen_by(self, state: ViewState, drawn: Drawn) -> Drawn:
         """What is drawn with what a view state selects of it."""
