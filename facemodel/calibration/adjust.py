@@ -21,7 +21,7 @@ from facemodel.calibration.knobs import Knob, knobs, turned
 from facemodel.calibration.slopes import Slope, slopes, small_turns
 from facemodel.calibration.trial import Trial, named_keys
 from facemodel.solution import Cancelled, Progress
-from fem.types import FloatArray
+from fem.types import BoolArray, FloatArray
 
 GAIN = 3e-4
 """Least rise of the mean cosine for which knobs are turned: less is noise of the mesh."""
@@ -175,12 +175,25 @@ class _Search:
         return np.asarray(minimize(loss, here, jac=True, method="L-BFGS-B", bounds=bounds).x)
 
     def go(self, steps: FloatArray, progress: Progress) -> bool:
-        """Turn the knobs there if that is worth it."""
-        cosines = self._cosines(steps, progress)
-        if _worth(cosines, steps) < self.worth + GAIN:
+        """Turn the knobs there if that is worth it, or those of them that it is worth it for."""
+        tried = [(steps, self._cosines(steps, progress))]
+        some = np.where(self._fared_worse(tried[0][1]), self.steps, steps)
+        if (some != steps).any():
+            tried.append((some, self._cosines(some, progress)))
+        there, cosines = max(tried, key=lambda each: _worth(each[1], each[0]))
+        if _worth(cosines, there) < self.worth + GAIN:
             return False
-        self.steps, self.cosines = steps, cosines
+        self.steps, self.cosines = there, cosines
         return True
+
+    def _fared_worse(self, cosines: FloatArray) -> BoolArray:
+        """Knobs (n,) of muscles whose own goals are met less well than now, all of them together."""
+        gain: dict[str, float] = {}
+        aims = [aim for trial in self._trials for aim in trial.aims]
+        for aim, change in zip(aims, cosines - self.cosines, strict=True):
+            for name in aim.groups:
+                gain[name] = gain.get(name, 0.0) + float(change)
+        return np.array([gain.get(knob.muscle, 0.0) < 0 for knob in self.knobs])
 
     def _cosines(self, steps: FloatArray, progress: Progress) -> FloatArray:
         here, found = turned(self._start, self.knobs, steps), []

@@ -61,8 +61,15 @@ def signs(units: Sequence[ActionUnit]) -> dict[int, dict[str, float]]:
 
 
 def with_mixtures(units: Sequence[ActionUnit], mixtures: Mapping[int, Mapping[str, float]]) -> tuple[ActionUnit, ...]:
-    """Action units that contract their muscles as was learned; the others stay as they are."""
-    return tuple(
-        replace(unit, muscles={**unit.muscles, **mixtures[unit.number]}) if mixtures.get(unit.number) else unit
-        for unit in units
-    )
+    """Action units that contract their muscles as was learned, the strongest as strongly as before.
+
+    Units of which nothing was learned stay as they are.
+    """
+    return tuple(_mixed(unit, mixtures.get(unit.number, {})) for unit in units)
+
+
+def _mixed(unit: ActionUnit, pulls: Mapping[str, float]) -> ActionUnit:
+    if not pulls:
+        return unit
+    most = max(abs(weight) for weight in unit.muscles.values())
+    return replace(unit, muscles={**unit.muscles, **{name: most * pull for name, pull in pulls.items()}})

@@ -20,7 +20,7 @@ from facemodel.columns import Told
 from facemodel.muscles import Muscle
 from fem.types import FloatArray, IntArray
 
-SMALL = 0.2
+SMALL = 0.35
 """Steps of a knob that tell its slope: small against the bend of its effect, large against the grain of a mesh."""
 
 FIRM = 1e-10
