@@ -24,7 +24,8 @@ PREFIX = "loops-"
 def compiled(function: F) -> F:
     """A function of arrays and numbers that is compiled when it is first called, for the types that it is called with.
 
-    It lets other threads run meanwhile, since it touches nothing of Python.
+    It lets other threads run meanwhile, since it touches nothing of Python.  It may call others of its own file, and
+    those of this package.
     """
     return cast(F, njit(cache=True, nogil=True, error_model="numpy")(function))
 

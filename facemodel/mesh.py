@@ -64,6 +64,11 @@ class Mesh:
         return csr_array(half + half.T)
 
     @cached_property
+    def box(self) -> FloatArray:
+        """The least and the largest coordinates (2, 3)."""
+        return np.stack([self.positions.min(axis=0), self.positions.max(axis=0)])
+
+    @cached_property
     def tree(self) -> KDTree:
         """Search tree over the positions."""
         return KDTree(self.positions)

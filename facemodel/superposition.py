@@ -149,8 +149,9 @@ class Superposition:
         else:
             bends, jaw = self._bends_of(weights), self._jaw_of(weights)
         self._add_up(weights, bends)
-        self.stance = stance_of(self.face, posture, jaw)
-        self._move_jaw()
+        before, self.stance = self.stance, stance_of(self.face, posture, jaw)
+        if jaw is not before.jaw or posture.tongue != before.posture.tongue:
+            self._move_jaw()
         self._finish()
 
     def _bends_of(self, weights: Float32Array) -> Float32Array:

@@ -21,6 +21,8 @@ CHEEK_DEPTH = 35.0
 """Millimetres behind the eyes that a small picture still shows."""
 CHIN_ROOM = 14.0
 """Millimetres under the chin, where it goes when the jaw opens."""
+AROUND = 1.6
+"""Half the diagonal of a head within which, about its middle, all lies that is drawn with it, however it is held."""
 UP = np.array([0.0, 1.0, 0.0])
 CENTRING = 4
 """Rounds in which the picture's middle is found; perspective makes each depend on the last."""
@@ -66,6 +68,18 @@ def face_frame(face: Face) -> Frame:
     wide, back = abs(float(place["zygion_L"][0])), float(place["eye_outer_L"][2]) - CHEEK_DEPTH
     corners = np.array([[x, y, z] for x in (-wide, wide) for y in (low, high) for z in (back, place["nose_tip"][2])])
     return Frame(corners.mean(axis=0), corners)
+
+
+def reach(renderer: vtkRenderer, box: FloatArray) -> None:
+    """Let the camera see from before to behind all that is drawn with a head that fills a box (2, 3) at rest.
+
+    Otherwise that would be found from every point anew whenever one moves, and again to leave out what is not in the
+    picture.
+    """
+    low, high = box
+    middle, far = (low + high) / 2, AROUND * float(np.linalg.norm(high - low)) / 2
+    renderer.GetCullers().RemoveAllItems()
+    renderer.ResetCameraClippingRange([float(side) for at in middle for side in (at - far, at + far)])
 
 
 def direction(azimuth: float, elevation: float) -> FloatArray:

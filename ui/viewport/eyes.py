@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
+from facemodel.compiled import compiled
 from facemodel.eyeball import IRIS_RADIUS, EyeballMesh, Region, eyeball
 from facemodel.face import Eye
 from facemodel.mesh import Mesh, submesh
 from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.complexion import Colour, smooth
-from ui.viewport.lids import LidLine
+from ui.viewport.lids import LidLine, same_line
 from ui.viewport.look import bytes_of
 from ui.viewport.shading import EYE, apply, glaze
 from ui.viewport.surface import Surface, moved_by
@@ -81,7 +82,7 @@ class EyeInLids:
         if not self._lids.closed:
             return
         margin = self._lids.places(points)
-        if self._seen is not None and np.array_equal(margin, self._seen):
+        if self._seen is not None and same_line(margin, self._seen):
             return
         self._seen = margin
         colours = self.ball.colours
@@ -120,14 +121,22 @@ def lid_light(places: FloatArray, margin: FloatArray) -> FloatArray:
     """
     inner, outer = margin[margin[:, 0].argmin()], margin[margin[:, 0].argmax()]
     share = (margin[:, 0] - inner[0]) / (outer[0] - inner[0])
-    level = inner[1] + share * (outer[1] - inner[1])
-    upper, lower = margin[margin[:, 1] >= level], margin[margin[:, 1] < level]
-    below = _height(upper, places[:, 0]) - places[:, 1]
-    above = places[:, 1] - _height(lower, places[:, 0])
+    over = margin[:, 1] >= inner[1] + share * (outer[1] - inner[1])
+    below = _height(margin[over], places[:, 0]) - places[:, 1]
+    above = places[:, 1] - _height(margin[~over], places[:, 0])
     inside = np.minimum(places[:, 0] - inner[0], outer[0] - places[:, 0])
-    light = 1 - UPPER_SHADE * np.exp(-((np.maximum(below, 0) / UPPER_REACH) ** 1.3))
-    light *= 1 - LOWER_SHADE * np.exp(-np.maximum(above, 0) / LOWER_REACH)
-    return np.asarray(light * (1 - 0.6 * np.exp(-np.maximum(inside, 0) / CORNER_REACH)))
+    return _shaded(below, above, inside)
+
+
+@compiled
+def _shaded(below: FloatArray, above: FloatArray, inside: FloatArray) -> FloatArray:
+    """The light (n,) so many millimetres below the upper lid, above the lower one and inside of the corners."""
+    light = np.empty(len(below))
+    for i in range(len(below)):
+        upper = 1 - UPPER_SHADE * np.exp(-((max(below[i], 0.0) / UPPER_REACH) ** 1.3))
+        lower = 1 - LOWER_SHADE * np.exp(-max(above[i], 0.0) / LOWER_REACH)
+        light[i] = upper * lower * (1 - 0.6 * np.exp(-max(inside[i], 0.0) / CORNER_REACH))
+    return light
 
 
 def _height(lid: FloatArray, x: FloatArray) -> FloatArray:

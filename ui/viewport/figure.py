@@ -54,7 +54,7 @@ class Figure:
             self._place(part)
         self._seam = seam(self.skin.surface, display, self._look.palette) if self._carried else None
         self._mouth = MouthLight(face, display, [*self._still, *self._jaw])
-        self._lips = LipLight(face, display, self.skin.surface, self._mouth.parted)
+        self._lips = LipLight(face, display, self.skin.surface)
         self.follow()
 
     def ghost(self, ghost: Ghost, bones: bool = False) -> None:
@@ -84,8 +84,9 @@ class Figure:
             eye.shade(self.posed.points)
         for lash in self.lashes:
             lash.follow(self.posed.points)
-        self._mouth.follow(self.posed.points)
-        self._lips.follow(self.posed.points)
+        parted = self._mouth.parted(self.posed.points)
+        self._mouth.follow(parted)
+        self._lips.follow(parted)
 
     @property
     def actors(self) -> Iterator[vtkActor]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
+from facemodel.compiled import compiled
 from facemodel.face import Eye
 from fem.types import Float32Array, FloatArray, IntArray
-from ui.viewport.lids import LidLine
+from ui.viewport.lids import LidLine, same_line
 from ui.viewport.shading import HAIR
 from ui.viewport.strands import spread
 from ui.viewport.surface import Surface
@@ -18,6 +21,8 @@ SEGMENTS = 6
 """Places along a hair; with fewer its bend is seen as corners from near."""
 ROOT_WIDTH = {"upper": 0.18, "lower": 0.12}
 """Millimetres; a hair is thinner, but several grow together."""
+SMALLEST = 1e-9
+"""Length of a direction below which it is none."""
 
 
 class Lashes:
@@ -47,14 +52,34 @@ class Lashes:
     def follow(self, points: Float32Array) -> None:
         """Grow from the posed skin ``points`` (P, 3)."""
         margin = self._lids.places(points)
-        if self._seen is not None and np.array_equal(margin, self._seen):
+        if self._seen is not None and same_line(margin, self._seen):
             return
         self._seen = margin
-        places, normals, strands = self._plan.grow(margin, self._centre)
-        self.surface.points[:] = places.reshape(-1, 3)
-        self.surface.normals[:] = normals.reshape(-1, 3)
-        self._strands[:] = strands.reshape(-1, 4)
+        points, normals = (array.reshape(-1, SEGMENTS, 2, 3) for array in (self.surface.points, self.surface.normals))
+        strands = self._strands.reshape(-1, SEGMENTS, 2, 4)
+        _grow(margin, self._centre, self._plan.outward, self._plan.hairs, points, normals, strands)
         self.surface.moved()
+
+
+class _Hairs(NamedTuple):
+    """How each hair (H,) is rooted and bent.
+
+    Attributes
+    ----------
+    start, stop, share : its root between two places of the lid line
+    sign : 1 on the upper lid, -1 on the lower one
+    spread : how far it heads outwards
+    length, curl, width : of it
+    """
+
+    start: IntArray
+    stop: IntArray
+    share: FloatArray
+    sign: FloatArray
+    spread: FloatArray
+    length: FloatArray
+    curl: FloatArray
+    width: FloatArray
 
 
 class _Plan:
@@ -66,7 +91,6 @@ class _Plan:
         inner = margin[(margin[:, 0] * outward).argmin()]
         outer = margin[(margin[:, 0] * outward).argmax()]
         across = (outer - inner) * [1, 0, 0]
-        self.low: list[IntArray] = []
         parts = []
         following = np.roll(np.arange(len(margin)), -1)
         middle = (margin + margin[following]) / 2
@@ -83,32 +107,61 @@ class _Plan:
             s = np.clip((root - inner) @ across / (across @ across), 0, 1)
             size = LENGTH[lid] * np.interp(s, [0, 0.15, 0.5, 0.8, 1], [0.25, 0.5, 0.85, 1.0, 0.8])
             parts.append((start, stop, share, s, size * random.uniform(0.72, 1.0, len(s)), np.full(len(s), upper)))
-        columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
-        self.start, self.stop, self.share, self.s, self.length, upper_hair = columns
-        self.count = len(self.s)
-        self.sign = np.where(upper_hair, 1.0, -1.0)
-        self.spread = (self.s - 0.38) * np.where(upper_hair, 1.25, 0.9) + random.normal(0, 0.09, self.count)
-        self.curl = np.where(upper_hair, 1.15, 0.6) * random.uniform(0.8, 1.1, self.count)
-        self.width = np.where(upper_hair, ROOT_WIDTH["upper"], ROOT_WIDTH["lower"])
+        start, stop, share, s, length, upper_hair = (np.concatenate(column) for column in zip(*parts, strict=True))
+        self.count = len(s)
         self.outward = outward
+        self.hairs = _Hairs(
+            start,
+            stop,
+            share,
+            np.where(upper_hair, 1.0, -1.0),
+            (s - 0.38) * np.where(upper_hair, 1.25, 0.9) + random.normal(0, 0.09, self.count),
+            length,
+            np.where(upper_hair, 1.15, 0.6) * random.uniform(0.8, 1.1, self.count),
+            np.where(upper_hair, ROOT_WIDTH["upper"], ROOT_WIDTH["lower"]),
+        )
 
-    def grow(self, margin: FloatArray, centre: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Places and normals (H, SEGMENTS, 2, 3) along the hairs, twice each, and their strands (H, SEGMENTS, 2, 4)."""
-        share = self.share[:, None]
-        root = margin[self.start] * (1 - share) + margin[self.stop] * share
+
+@compiled
+def _grow(
+    margin: FloatArray,
+    centre: FloatArray,
+    outward: float,
+    hairs: _Hairs,
+    places: Float32Array,
+    normals: Float32Array,
+    strands: Float32Array,
+) -> None:
+    """Write places and normals (H, SEGMENTS, 2, 3) along the hairs, twice each, and their strands (H, SEGMENTS, 2, 4).
+
+    Parameters
+    ----------
+    margin : (n, 3) the line of the lids
+    centre : (3,) of the eyeball
+    outward : in which direction x grows towards the outer corner of the eye
+    """
+    for hair in range(len(hairs.start)):
+        share = hairs.share[hair]
+        root = margin[hairs.start[hair]] * (1 - share) + margin[hairs.stop[hair]] * share
         radial = _unit(root - centre)
-        side = _unit(np.array([self.outward, 0.0, 0.0]) - radial * (radial[:, :1] * self.outward))
-        up = np.cross(radial, side) * self.outward * self.sign[:, None]
-        heading = _unit(radial + 0.10 * up + self.spread[:, None] * side)
-        t = np.linspace(0, 1, SEGMENTS)[None, :, None]
-        size, curl = self.length[:, None, None], self.curl[:, None, None]
-        path = root[:, None] + size * (t * heading[:, None] + 0.5 * curl * t**2 * up[:, None])
-        along = _unit(heading[:, None] + curl * t * up[:, None])
-        half = 0.5 * self.width[:, None, None] * (1 - 0.9 * t**1.5)
-        strands = np.stack([np.concatenate([along, sign * half], axis=2) for sign in (-1, 1)], axis=2)
-        normal = np.broadcast_to(_unit(radial + up)[:, None, None], (self.count, SEGMENTS, 2, 3))
-        return np.stack([path, path], axis=2), normal, strands
+        side = -outward * radial[0] * radial
+        side[0] += outward
+        side = _unit(side)
+        up = np.cross(radial, side) * (outward * hairs.sign[hair])
+        heading = _unit(radial + 0.10 * up + hairs.spread[hair] * side)
+        normal = _unit(radial + up)
+        for segment in range(SEGMENTS):
+            t = segment / (SEGMENTS - 1)
+            path = root + hairs.length[hair] * (t * heading + 0.5 * hairs.curl[hair] * t**2 * up)
+            along = _unit(heading + hairs.curl[hair] * t * up)
+            half = 0.5 * hairs.width[hair] * (1 - 0.9 * t**1.5)
+            for edge in range(2):
+                places[hair, segment, edge] = path
+                normals[hair, segment, edge] = normal
+                strands[hair, segment, edge, :3] = along
+                strands[hair, segment, edge, 3] = (2 * edge - 1) * half
 
 
-def _unit(vectors: FloatArray) -> FloatArray:
-    return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-9))
+@compiled
+def _unit(vector: FloatArray) -> FloatArray:
+    return vector / max(np.sqrt((vector * vector).sum()), SMALLEST)

@@ -16,6 +16,8 @@ NEAR = 1.6
 """Radii of the eyeball within which its lids lie."""
 SECTIONS = 80
 """Half-planes through the opening in each of which the edge is found."""
+UNSEEN = 0.01
+"""Millimetres that nobody sees of a lid."""
 BEYOND = 3.0
 """Millimetres farther out than the opening at which the edge may lie; cheek and nose begin there."""
 
@@ -43,6 +45,11 @@ class LidLine:
         """The line (n, 3) on the posed skin ``points`` (P, 3), in order round the eye."""
         share = self.share[:, None]
         return np.asarray(points[self.start] * (1 - share) + points[self.stop] * share, dtype=np.float64)
+
+
+def same_line(one: FloatArray, other: FloatArray) -> bool:
+    """Whether two places (n, 3) of a line look the same, so that what hangs on it need not follow."""
+    return bool(np.abs(one - other).max() < UNSEEN)
 
 
 @lru_cache(maxsize=8)

@@ -5,13 +5,10 @@ Openness is found once, at rest; what a wide mouth rolls out was dark then, and 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
-from fem.types import Float32Array
 from ui.viewport.complexion import has_features, openings, rings, smooth
 from ui.viewport.look import at_points
 from ui.viewport.surface import Surface
@@ -33,13 +30,10 @@ class LipLight:
     ----------
     face, display : as they are drawn; the lips of a bare scan are not known
     skin : whose colours have openness as their fourth component
-    parted : how far the lips of a posed skin (P, 3) are apart beyond their rest, millimetres
     """
 
-    def __init__(
-        self, face: Face, display: DisplaySurface, skin: Surface, parted: Callable[[Float32Array], float]
-    ) -> None:
-        self._skin, self._parted = skin, parted
+    def __init__(self, face: Face, display: DisplaySurface, skin: Surface) -> None:
+        self._skin = skin
         self._light = 0.0
         self._lips = np.zeros(0, dtype=np.int64)
         if skin.colours is None or not has_features(face):
@@ -50,11 +44,11 @@ class LipLight:
         self._lips = np.flatnonzero(gain > 0)
         self._rest, self._gain = rest[self._lips], gain[self._lips]
 
-    def follow(self, points: Float32Array) -> None:
-        """Light the lips of a posed skin (P, 3)."""
+    def follow(self, parted: float) -> None:
+        """Light lips that are apart by so many millimetres beyond their rest."""
         if not len(self._lips) or self._skin.colours is None:
             return
-        light = float(smooth(np.array([self._parted(points)]), SHUT, PARTED)[0])
+        light = float(smooth(np.array([parted]), SHUT, PARTED)[0])
         if (abs(light - self._light) < STEP and light not in (0.0, 1.0)) or light == self._light:
             return
         self._light = light

@@ -23,6 +23,8 @@ class HeadMount:
 
     def hold(self, motion: FloatArray) -> None:
         """Move the head."""
+        if np.array_equal(motion, self.motion):
+            return
         self.motion = motion
         self._matrix.DeepCopy([float(x) for x in motion.ravel()])
 

@@ -44,12 +44,12 @@ class MouthLight:
         if self._lips is None:
             return OPEN
         upper, lower = (points[chain].astype(np.float64) for chain in self._lips)
-        middle = np.median(upper[:, 0]) + np.array([-8.0, -4.0, 0.0, 4.0, 8.0])
+        middle = upper[len(upper) // 2, 0] + np.array([-8.0, -4.0, 0.0, 4.0, 8.0])
         return float(np.mean(_height(upper, middle) - _height(lower, middle)) - self._rest)
 
-    def follow(self, points: Float32Array) -> None:
-        """Shade the mouth of a posed skin (P, 3)."""
-        light = LEAST + (1 - LEAST) * float(smooth(np.array([self.parted(points)]), SHUT, OPEN)[0])
+    def follow(self, parted: float) -> None:
+        """Shade a mouth whose lips are so many millimetres apart."""
+        light = LEAST + (1 - LEAST) * float(smooth(np.array([parted]), SHUT, OPEN)[0])
         if self._lips is None or abs(light - self._light) < STEP:
             return
         self._light = light

@@ -35,6 +35,7 @@ from ui.viewport.camera import (
     orbit,
     picture_scale,
     project_in_parallel,
+    reach,
 )
 from ui.viewport.figure import Figure
 from ui.viewport.lights import light
@@ -196,7 +197,7 @@ class Scene:
         if self._drawn is None:
             return
         self.mount.carry(self.renderer)
-        self.renderer.ResetCameraClippingRange()
+        reach(self.renderer, self._drawn.project.face.skin.box)
         half = picture_scale(self.renderer.GetActiveCamera())
         if abs(half / self._drawn.half_height - 1) > RESCALED:
             self._drawn = replace(self._drawn, half_height=half)
@@ -227,8 +228,7 @@ class Scene:
         muscle = muscle_named(self._drawn.project, key) if self._drawn else None
         if muscle is None or self._drawn is None:
             return
-        face = self._drawn.project.face
-        pull = muscle_pull(muscle, face)
+        pull = muscle_pull(muscle, face := self._drawn.project.face)
         places = self.mount.outside(face.skin.positions[pull > 0.2 * pull.max()])
         towards = -np.array(self.renderer.GetActiveCamera().GetDirectionOfProjection())
         half = 1.6 * float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())

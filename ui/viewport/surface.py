@@ -23,6 +23,7 @@ class Surface:
     ----------
     points, normals : (n, 3) float32, C order; write into them, then call `moved`
     colours : (n, 4) uint8 or None; write into them, then call `recoloured`
+    motion : (4, 4) that `moved_by` gave it
     data, mapper, actor : the VTK side
     """
 
@@ -34,6 +35,7 @@ class Surface:
         colours: ByteArray | None = None,
     ) -> None:
         self.points, self.normals, self.colours = points, normals, colours
+        self.motion: FloatArray | None = None
         self.data = vtkPolyData()
         self._drawn_points = shared(points, VTK_FLOAT)
         vertices = vtkPoints()
@@ -130,6 +132,9 @@ def companion(surface: Surface, corners: IntArray) -> vtkActor:
 
 def moved_by(surface: Surface, motion: FloatArray) -> None:
     """Give a rigid motion (4, 4) to an actor; its points stay."""
+    if surface.motion is not None and np.array_equal(motion, surface.motion):
+        return
+    surface.motion = motion
     matrix = vtkMatrix4x4()
     matrix.DeepCopy([float(x) for x in motion.ravel()])
     surface.actor.SetUserMatrix(matrix)
