@@ -98,7 +98,7 @@ LIGHTING = f"""{FRAME}
   vec3 light = around * shaded
     + lit(n, {_vec(KEY.direction)}, open) * {_vec(KEY.colour)}
     + lit(n, {_vec(FILL.direction)}, open) * {_vec(FILL.colour)}
-    + lit(n, {_vec(RIM.direction)}, open) * {_vec(RIM.colour)};
+    + lit(n, {_vec(RIM.direction)}, open) * {_vec(RIM.colour)} * smoothstep(0.40, 0.85, graze);
   vec3 shine = (shineOf(n, v, {_vec(KEY.direction)}) * {_vec(KEY.colour)}
     + shineOf(n, v, {_vec(FILL.direction)}) * {_vec(FILL.colour)}) * gloss * (1.0 + 3.0 * graze2);
   vec3 seen = albedo * light + shine * open + SHEEN * graze2 * graze * around * open;
