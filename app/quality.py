@@ -123,7 +123,6 @@ class Pacing:
 
     def rested(self, drawing: float) -> bool:
         """Note the picture of a resting face, drawn in ``drawing`` milliseconds; whether a level changes for it."""
-        self._times.clear()
         better = finer(self.moving)
         if LEVELS.index(better) <= LEVELS.index(self.resting) and better != self.moving:
             quick = drawing + self._posing <= COMFORT * self._limit

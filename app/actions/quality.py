@@ -20,14 +20,16 @@ HINTS: dict[Quality, str] = {
 
 
 def _quality(quality: Quality) -> Action:
+    title = f"{QUALITY_TITLES[quality]} quality"
+
     def caption(context: Context) -> str:
         state = context.view.state
         found = quality == state.quality == "automatic"
-        return f"{QUALITY_TITLES[quality]} ({QUALITY_TITLES[state.level]} now)" if found else QUALITY_TITLES[quality]
+        return f"{title} ({QUALITY_TITLES[state.level].lower()} now)" if found else title
 
     return Action(
         f"quality.{quality}",
-        f"Drawing quality: {QUALITY_TITLES[quality]}",
+        title,
         lambda context: context.view.change(quality=quality),
         menu=PATH,
         group=6,

@@ -69,6 +69,7 @@ class Occlusion:
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
+        self._used = False
         shade = vtkSSAOPass()
         shade.SetRadius(REACH)
         shade.SetBias(LIFT)
@@ -87,11 +88,15 @@ class Occlusion:
         wanted = self._pass if on else None
         if self._renderer.GetPass() is not wanted:
             self._renderer.SetPass(wanted)
+            self._used = True
 
     def release(self) -> None:
         """Give back what it has on the graphics card, while the window of the renderer is still there."""
-        self.switch(False)
-        self._pass.ReleaseGraphicsResources(self._renderer.GetRenderWindow())
+        if self._used:
+            self.switch(False)
+            window = self._renderer.GetRenderWindow()
+            window.MakeCurrent()
+            self._pass.ReleaseGraphicsResources(window)
 
 
 def _one_by_one(*passes: vtkRenderPass) -> vtkSequencePass:

@@ -65,7 +65,6 @@ class DrawingQuality(QObject):
         took, before = self._pacing.took, self._pacing.moving
         if self._view.state.quality == "automatic" and self._pacing.moved(whole, drawing):
             self._tell(before, f"{max(took, self._pacing.took):.0f} ms a frame were too slow")
-            self._pacing.begin_anew()
 
     def _note_rest(self, drawing: float) -> None:
         before = self._pacing.moving
@@ -77,6 +76,7 @@ class DrawingQuality(QObject):
         self._take(self._pacing)
         now = self._pacing.moving
         if now != before:
+            self._pacing.begin_anew()
             way = "down" if LEVELS.index(now) < LEVELS.index(before) else "up"
             self.changed.emit(f"Drawing quality went {way} to {QUALITY_TITLES[now]}: {why}.")
 
