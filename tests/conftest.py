@@ -7,11 +7,10 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
 
-# How long an example takes is not what is tested; machines differ.
-settings.register_profile("risorius", deadline=None)
-settings.load_profile("risorius")
+from tests import draws
+
+draws.register()
 
 _OWN_FOLDERS = ("XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME")
 
@@ -21,6 +20,7 @@ _before = pytest.StashKey[dict[str, str | None]]()
 
 def pytest_configure(config: pytest.Config) -> None:
     """Point the user's folders at scratch ones before anything is imported that reads them; one thread, as in `ui`."""
+    draws.hold_still()
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     # A shell starts its background jobs deaf to Ctrl+C, and the programs that tests start would inherit that.
     signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-import hypothesis
 import numpy as np
 import pytest
 
@@ -22,9 +21,6 @@ from facemodel.solve import Cancelled, Progress, Solution, solve_project
 from fem.supports import Support
 from fem.types import FloatArray
 from tests.app.desk import Desk
-
-hypothesis.settings.register_profile("patient", deadline=None)
-hypothesis.settings.load_profile("patient")
 
 SIDE = 9
 """Vertices along one edge of the patch of skin."""

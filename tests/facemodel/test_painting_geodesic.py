@@ -66,7 +66,7 @@ def test_distances_on_the_face_are_exact_to_two_percent(face: Face, on_face: Geo
     assert error.max() < 0.02
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.integers(0, 1799), SHARE)
 def test_in_a_plane_they_are_those_of_plane_geometry(triangle: int, barycentric: FloatArray) -> None:
     point = SurfacePoint(triangle, barycentric)

@@ -72,7 +72,7 @@ def from_segment(start: tuple[float, float], end: tuple[float, float]) -> FloatA
     return np.asarray(np.linalg.norm(SHEET.mesh.positions - a - share[:, None] * way, axis=1))
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(PLACE, PLACE, st.floats(3.0, 9.0), st.floats(0.0, 0.8), st.floats(0.1, 1.0))
 def test_a_stroke_is_the_capsule_about_its_way(
     start: tuple[float, float], end: tuple[float, float], radius: float, hardness: float, strength: float
@@ -85,7 +85,7 @@ def test_a_stroke_is_the_capsule_about_its_way(
     assert np.abs(found - expected).max() < 0.01 / (1 - hardness)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(PLACE, PLACE, st.integers(2, 60))
 def test_a_slow_stroke_paints_what_a_quick_one_does(
     start: tuple[float, float], end: tuple[float, float], stops: int
@@ -104,7 +104,7 @@ def test_staying_or_going_back_paints_nothing_more() -> None:
     assert after(stroke) == pytest.approx(once, rel=1e-2)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.lists(PLACE, min_size=1, max_size=5), st.sampled_from(PAINT_LAYERS), st.data())
 def test_what_is_told_along_the_way_is_what_is_there_at_the_end(
     places: list[tuple[float, float]], paint: PaintLayer, data: st.DataObject

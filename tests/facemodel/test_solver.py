@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from facemodel.actions import ActionUnit, JawMotion
@@ -148,7 +148,7 @@ def interrupted(solver: FaceSolver, project: Project, after: int) -> None:
         return
 
 
-@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=20)
 @given(st.lists(st.tuples(EDITS, st.integers(0, 8)), min_size=1, max_size=6))
 def test_after_any_edits_and_cancellations_it_gives_what_a_fresh_solve_gives(steps: list[tuple[Edit, int]]) -> None:
     solver, project = FaceSolver(), small_project()
@@ -159,7 +159,7 @@ def test_after_any_edits_and_cancellations_it_gives_what_a_fresh_solve_gives(ste
         assert_same(solver.solve(project), solve_project(project))
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(EDITS)
 def test_fields_that_are_not_stale_are_as_they_were(edit: Edit) -> None:
     before = small_project()

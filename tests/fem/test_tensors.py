@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from fem import ElementTensors, FemError, Material, element_tensors, uniform_material
@@ -20,7 +20,6 @@ def plate_tensors(angle: float, stretching: list[float], bending: list[float]) -
     return element_tensors(surface, material), surface.frames[:, :, :2]
 
 
-@settings(deadline=None)
 @given(ANGLES, STIFFNESS, STIFFNESS, st.floats(-2.0, 2.0), st.floats(-2.0, 2.0))
 def test_stretching_energy_of_a_slope(angle: float, along: float, across: float, x: float, y: float) -> None:
     tensors, frames = plate_tensors(angle, [along, across], [1.0, 1.0, 1.0])
@@ -30,7 +29,6 @@ def test_stretching_energy_of_a_slope(angle: float, along: float, across: float,
     assert found == pytest.approx(along * first**2 + across * second**2, abs=1e-10)
 
 
-@settings(deadline=None)
 @given(ANGLES, st.lists(STIFFNESS, min_size=3, max_size=3), st.lists(st.floats(-2.0, 2.0), min_size=3, max_size=3))
 def test_bending_energy_of_a_curvature(angle: float, bending: list[float], curvature: list[float]) -> None:
     tensors, frames = plate_tensors(angle, [1.0, 1.0], bending)

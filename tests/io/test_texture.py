@@ -334,7 +334,7 @@ def test_a_picture_that_promises_more_than_it_holds_is_refused(tmp_path: Path, f
         import_layer(face, LAYER["stiffness"], tmp_path / "bomb.png")
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.tuples(st.integers(0, 10_000), st.integers(0, 255)), min_size=1, max_size=4), st.integers(0, 2000))
 def test_damage_is_told_or_harmless(tmp_path: Path, flips: list[tuple[int, int]], cut: int) -> None:
     sheet = small_face()
