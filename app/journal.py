@@ -118,7 +118,8 @@ def recoverable(folder: Path) -> tuple[Recoverable, ...]:
     Sessions that still live are left out, and so is what is damaged beyond reading.
     """
     try:
-        stems = sorted(path.with_suffix("") for path in folder.glob(f"*{PROJECT}"))
+        # A name that begins with a dot is that of a file a living session is writing at this moment.
+        stems = sorted(path.with_suffix("") for path in folder.glob(f"[!.]*{PROJECT}"))
         found = [_entry(stem) for stem in stems if not is_locked(_with(stem, LOCK))]
     except OSError:
         return ()

@@ -16,6 +16,7 @@ from app.document import Document
 from app.journal import Journal, Note, journal_folder, read_back, recoverable
 from app.preferences import preferences_path
 from facemodel.errors import ProjectError
+from facemodel.io.disk import replacing
 from facemodel.project import Project
 
 PATIENCE = 60.0
@@ -113,6 +114,15 @@ def test_a_living_session_is_not_offered_to_another(desk: Desk, folder: Path) ->
     assert recoverable(folder) == ()
 
 
+def test_a_state_that_is_just_being_written_is_not_offered(folder: Path) -> None:
+    folder.mkdir()
+    with replacing(folder / "20260101-120000-abcdef12.risorius") as stream:
+        stream.write(b"half of it")
+        stream.flush()
+        assert list(folder.iterdir())
+        assert recoverable(folder) == ()
+
+
 def test_what_is_accepted_is_open_unsaved_and_safe_in_the_new_journal(
     desk: Desk, folder: Path, project: Project
 ) -> None:
@@ -125,7 +135,7 @@ def test_what_is_accepted_is_open_unsaved_and_safe_in_the_new_journal(
     assert desk.document.path == folder / "Portrait.risorius"
     assert desk.document.dirty
     assert desk.autosave.recoverable() == ()
-    assert len(list(folder.glob("*.risorius"))) == 1
+    assert len(list(folder.glob("[!.]*.risorius"))) == 1
     desk.document.undo()
     assert desk.document.dirty
 
