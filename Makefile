@@ -23,7 +23,7 @@ run: setup
 	@.ci/open
 
 test: setup-display lint
-	@.ci/with-display $(PYTHON) -m pytest
+	@.ci/test
 
 lint: setup
 	@.venv/bin/ruff check

@@ -5,6 +5,7 @@ import shutil
 import signal
 import tempfile
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -12,7 +13,8 @@ from tests import draws
 
 draws.register()
 
-_OWN_FOLDERS = ("XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME")
+_SHARED = "XDG_CACHE_HOME"
+_OWN = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME")
 
 _scratch = pytest.StashKey[Path]()
 _before = pytest.StashKey[dict[str, str | None]]()
@@ -24,11 +26,30 @@ def pytest_configure(config: pytest.Config) -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     # A shell starts its background jobs deaf to Ctrl+C, and the programs that tests start would inherit that.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    scratch = Path(tempfile.mkdtemp(prefix="risorius-tests-"))
-    config.stash[_scratch] = scratch
-    config.stash[_before] = {name: os.environ.get(name) for name in _OWN_FOLDERS}
-    for name in _OWN_FOLDERS:
-        os.environ[name] = str(scratch / name.lower())
+    config.stash[_before] = {name: os.environ.get(name) for name in (_SHARED, *_OWN)}
+    run, own = _folders(config)
+    config.stash[_scratch] = own
+    os.environ[_SHARED] = str(run / _SHARED.lower())
+    for name in _OWN:
+        os.environ[name] = str(own / name.lower())
+
+
+def _folders(config: pytest.Config) -> tuple[Path, Path]:
+    """The scratch folder of this run, and that of this process in it; faces are solved once for all processes."""
+    worker: dict[str, Any] | None = getattr(config, "workerinput", None)
+    if worker is None:
+        run = Path(tempfile.mkdtemp(prefix="risorius-tests-"))
+        return run, run
+    run = Path(worker["scratch"])
+    own = run / worker["workerid"]
+    own.mkdir()
+    return run, own
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    """Tell another process of this run where the run's scratch folder is."""
+    node.workerinput["scratch"] = str(node.config.stash[_scratch])
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
