@@ -17,13 +17,16 @@ PROPERTY = "risoriusTheme"
 
 
 def apply_theme(app: QApplication, theme: Theme) -> None:
-    """Dress the whole application; every window repaints at once."""
+    """Dress the whole application; every window repaints at once, unless it is dressed so already."""
+    sheet = stylesheet(theme)
+    if app.styleSheet() == sheet:
+        return
     app.setProperty(PROPERTY, theme.name)
     if app.style().name().lower() != "fusion":
         app.setStyle("Fusion")
     app.setFont(interface_font())
     app.setPalette(qt_palette(theme))
-    app.setStyleSheet(stylesheet(theme))
+    app.setStyleSheet(sheet)
 
 
 def current_theme() -> Theme:
