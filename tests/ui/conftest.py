@@ -3,9 +3,11 @@
 import os
 import sys
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
 
 from app.document import Document
 from app.view import View
@@ -16,6 +18,9 @@ from ui.theme.apply import apply_theme
 from ui.theme.roles import DARK
 
 NO_DISPLAY = sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+PATIENCE = 60_000
+"""Milliseconds after which something does not happen any more, on a machine that is slow and busy with other things."""
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -29,6 +34,21 @@ def qapp(_display: None) -> QApplication:
     app = QApplication.instance() or QApplication([])
     apply_theme(app, DARK)
     return app
+
+
+class PatientBot(QtBot):
+    """Waits longer than pytest-qt does."""
+
+    def waitUntil(self, callback: Callable[[], bool | None], *, timeout: int = PATIENCE) -> None:  # noqa: N802 - Qt's name
+        super().waitUntil(callback, timeout=timeout)
+
+    def waitSignal(self, signal: object, *, timeout: int = PATIENCE, **how: Any) -> Any:  # noqa: N802 - Qt's name
+        return super().waitSignal(signal, timeout=timeout, **how)
+
+
+@pytest.fixture
+def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
+    return PatientBot(request)
 
 
 @pytest.fixture(scope="session")
@@ -63,7 +83,6 @@ def shown(qtbot, qapp: QApplication) -> Callable[[QWidget], QWidget]:
         qtbot.addWidget(widget)
         kept.append(widget)
         widget.show()
-        qtbot.waitExposed(widget)
         widget.activateWindow()
         qtbot.waitUntil(widget.isActiveWindow)
         return widget

@@ -20,13 +20,13 @@ def test_a_card_goes_once_everything_is_ticked(shown, qtbot):
     card = shown(HintCard("Try", [("smile", "Smile"), ("turn", "Turn")]))
     card.tick("smile")
     assert card.left == {"turn"}
-    with qtbot.waitSignal(card.dismissed, timeout=5000):
+    with qtbot.waitSignal(card.dismissed):
         card.tick("turn")
 
 
 def test_a_card_can_be_closed_at_once(shown, qtbot):
     card = shown(HintCard("Try", [("smile", "Smile")]))
-    with qtbot.waitSignal(card.dismissed, timeout=1000):
+    with qtbot.waitSignal(card.dismissed):
         QTest.mouseClick(card.findChild(QToolButton), Qt.MouseButton.LeftButton)
 
 
@@ -65,7 +65,7 @@ def test_a_call_from_another_thread_runs_in_ours(qtbot, qapp):
     worker.start()
     worker.join()
     assert ran == []
-    qtbot.waitUntil(lambda: ran == [True], timeout=1000)
+    qtbot.waitUntil(lambda: ran == [True])
 
 
 def test_progress_comes_with_a_button_that_cancels_and_goes_with_it(shown, qtbot):
@@ -74,8 +74,8 @@ def test_progress_comes_with_a_button_that_cancels_and_goes_with_it(shown, qtbot
     line.show_progress("Factorising", 0.4)
     assert line.bar.value() == 400
     assert not line.bar.isVisible(), "what is over in a blink does not flicker"
-    qtbot.waitUntil(line.cancel.isVisible, timeout=5000)
-    with qtbot.waitSignal(line.cancel_asked, timeout=1000):
+    qtbot.waitUntil(line.cancel.isVisible)
+    with qtbot.waitSignal(line.cancel_asked):
         QTest.mouseClick(line.cancel, Qt.MouseButton.LeftButton)
     line.end_progress()
     assert not line.bar.isVisible()

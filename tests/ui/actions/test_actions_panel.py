@@ -107,7 +107,7 @@ def test_a_kept_expression_can_be_named_stands_among_the_emotions_and_drives_the
     name.selectAll()
     QTest.keyClicks(name, "sly")
     QTest.keyClick(name, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: document.project.emotions[-1].name == "sly", timeout=3000)
+    qtbot.waitUntil(lambda: document.project.emotions[-1].name == "sly")
     kept = document.project.emotions[-1]
     assert expand(kept.weights, document.project.units) == {"17": 0.5, "12L": 0.25}
     document.reset_expression()
@@ -133,11 +133,11 @@ def test_the_check_finds_muscles_to_add_up_and_the_jaw_not(panel, context, qtbot
     context.document.set_weights({"12": 0.5, "17": 0.3})
     panel.tabs.setCurrentIndex(1)
     press(panel.check.button)
-    qtbot.waitUntil(lambda: "exact" in panel.check.result.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "exact" in panel.check.result.text())
     context.document.set_weights({"26": 0.5})
     assert "Checks what" in panel.check.result.text()
     press(panel.check.button)
-    qtbot.waitUntil(lambda: "apart, " in panel.check.result.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "apart, " in panel.check.result.text())
 
 
 def test_a_unit_of_another_name_is_listed_so_where_the_sliders_are(panel, shown, context, portraits):

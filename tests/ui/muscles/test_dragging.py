@@ -64,7 +64,7 @@ def test_a_dragged_attachment_takes_the_field_along_in_one_step(editor, document
     gone = attachment(document) - start
     assert gone[0] > 5
     assert gone[1] > 2
-    qtbot.waitUntil(lambda: document.solution is not solved and not document.stale, timeout=60_000)
+    qtbot.waitUntil(lambda: document.solution is not solved and not document.stale)
     # One of two fibres went, and the mouth's corner gives way most, so the peak goes some of the way.
     assert (peak_place(document) - peak) @ gone / np.linalg.norm(gone) > 1.0
     QTest.keyClick(editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)

@@ -23,7 +23,7 @@ def page(shown, tmp_path) -> FittingPage:
 
 
 def ready(page: FittingPage, qtbot) -> None:
-    qtbot.waitUntil(page.fit.isEnabled, timeout=30_000)
+    qtbot.waitUntil(page.fit.isEnabled)
 
 
 def test_the_report_is_there_before_anything_is_changed(page, qtbot):
@@ -53,7 +53,7 @@ def test_a_file_that_is_no_project_is_said_to_be_none(page, qtbot, tmp_path):
     path = tmp_path / "broken.risorius"
     path.write_text("nothing")
     page.take_file(path)
-    qtbot.waitUntil(lambda: page.report.property("role") == "error", timeout=30_000)
+    qtbot.waitUntil(lambda: page.report.property("role") == "error")
     assert "broken.risorius" in page.report.text()
     assert not page.fit.isEnabled()
 

@@ -40,7 +40,7 @@ def settled(window: ComparisonWindow) -> bool:
 
 def open_(window: ComparisonWindow, qtbot) -> None:
     window.show()
-    qtbot.waitUntil(lambda: settled(window), timeout=60_000)
+    qtbot.waitUntil(lambda: settled(window))
 
 
 def test_every_model_of_fibres_has_a_card_with_figures_and_a_picture(window, qtbot):
@@ -59,9 +59,9 @@ def test_a_click_uses_a_model_in_one_step_and_undo_shows_the_old_one(window, con
     QTest.mouseClick(window.cards["quadrilateral"], Qt.MouseButton.LeftButton)
     assert muscle_of(context.document.project, KEY).model == "quadrilateral"
     assert context.document.history.done == ("Quadrilateral sheet for Zygomaticus major",)
-    qtbot.waitUntil(lambda: window.cards["quadrilateral"].figures[1] == "in use", timeout=60_000)
+    qtbot.waitUntil(lambda: window.cards["quadrilateral"].figures[1] == "in use")
     context.document.undo()
-    qtbot.waitUntil(lambda: window.cards["fibre"].isChecked() and settled(window), timeout=60_000)
+    qtbot.waitUntil(lambda: window.cards["fibre"].isChecked() and settled(window))
 
 
 def test_the_window_stays_alive_and_cancel_stops_the_solver(window, qtbot):
@@ -85,7 +85,7 @@ def test_the_window_stays_alive_and_cancel_stops_the_solver(window, qtbot):
     qtbot.waitUntil(begun.is_set)
     QTest.mouseClick(window.stop, Qt.MouseButton.LeftButton)
     assert "Cancelled" in window.words.text()
-    qtbot.waitUntil(lambda: bool(told) and told[-1] == "cancelled", timeout=20_000)
+    qtbot.waitUntil(lambda: bool(told) and told[-1] == "cancelled")
     assert not any(card.has_picture for card in window.cards.values())
 
 

@@ -20,7 +20,7 @@ def skull(window: MainWindow, qtbot) -> MainWindow:
     window.context.view.look_from("left")
     window.context.view.change(workspace="skull")
     window.toolbox.bench.brush.change(mirror=False, radius=9.0)
-    qtbot.waitUntil(lambda: window.toolbox.bench.watch.current, timeout=20_000)
+    qtbot.waitUntil(lambda: window.toolbox.bench.watch.current)
     next_frame(window)
     return window
 

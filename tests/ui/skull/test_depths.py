@@ -23,7 +23,7 @@ def pushed_out(editor, qtbot, forward: float = 16.0) -> None:
     """Move the skull forward until it comes through the skin."""
     document = editor.context.document
     document.edit(with_pose(document.project, Pose((0.0, 0.0, forward))), "Move skull")
-    qtbot.waitUntil(lambda: editor.toolbox.bench.watch.current, timeout=20_000)
+    qtbot.waitUntil(lambda: editor.toolbox.bench.watch.current)
     next_frame(editor)
 
 
@@ -91,7 +91,7 @@ def test_a_skull_that_intersects_the_skin_is_told_where_and_how_deep_and_shown(s
     click(lines["pierced"].show_me)
     assert camera(skull) != before
     document.undo()
-    qtbot.waitUntil(lambda: skull.toolbox.bench.watch.current, timeout=20_000)
+    qtbot.waitUntil(lambda: skull.toolbox.bench.watch.current)
     next_frame(skull)
     assert not faults._marks["pierced"].actor.GetVisibility()
     assert lines["pierced"].words.text() == "No bone comes through the skin."

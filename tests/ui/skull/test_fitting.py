@@ -38,7 +38,7 @@ def fitting(skull: MainWindow, file: Path, qtbot) -> MainWindow:
     """Read the file and begin to fit it."""
     bench = skull.toolbox.bench
     bench.importing.read(file, bench.deliver)
-    qtbot.waitUntil(lambda: bench.fitting.on, timeout=60_000)
+    qtbot.waitUntil(lambda: bench.fitting.on)
     next_frame(skull)
     return skull
 
@@ -133,7 +133,7 @@ def test_cancel_brings_the_own_skull_back_and_leaves_no_trace(skull, file, docum
     bare, before = picture(skull), document.project
     bench = skull.toolbox.bench
     bench.importing.read(file, bench.deliver)
-    qtbot.waitUntil(lambda: bench.fitting.on, timeout=60_000)
+    qtbot.waitUntil(lambda: bench.fitting.on)
     assert differs(picture(skull), bare)
     click(skull.panels.panel("skull").fit.cancel)
     assert document.project is before
@@ -149,7 +149,7 @@ def test_a_file_that_is_no_skull_is_said_in_a_sentence_and_nothing_is_begun(skul
     bench = skull.toolbox.bench
     bench.importing.read(path, bench.deliver)
     assert skull.panels.panel("skull").bone.stop.isVisible()
-    qtbot.waitUntil(lambda: bool(said), timeout=60_000)
+    qtbot.waitUntil(lambda: bool(said))
     assert "broken.ply" in said[0]
     assert "should have 99999999 vertices and is shorter than that" in said[0]
     assert not bench.fitting.on

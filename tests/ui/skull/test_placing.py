@@ -126,7 +126,7 @@ def test_a_skull_is_snapped_back_to_the_depths_and_reset_to_where_it_was_made(sk
     off = max(abs(each.off) for each in landmark_depths(document.project.face))
     click(place.buttons.by_name["Snap to depths"])
     assert not place.buttons.by_name["Snap to depths"].isEnabled()
-    qtbot.waitUntil(lambda: len(document.history.done) == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: len(document.history.done) == 2)
     assert place.buttons.by_name["Snap to depths"].isEnabled()
     assert max(abs(each.off) for each in landmark_depths(document.project.face)) < min(5.0, off)
     click(place.buttons.by_name["Reset"])
@@ -139,11 +139,11 @@ def test_the_face_is_solved_in_the_background_when_the_hand_lets_go(open_window,
     window = open_window(document, EditingSolve())
     window.context.view.look_from("left")
     window.context.view.change(workspace="skull")
-    qtbot.waitUntil(lambda: not window.context.solving.job.running, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.context.solving.job.running)
     next_frame(window)
     solved = document.solution
     drag(window, handle(window, 1), UP)
     assert document.stale
-    qtbot.waitUntil(lambda: not document.stale, timeout=60_000)
+    qtbot.waitUntil(lambda: not document.stale)
     assert document.solution is not solved
     assert document.history.done == ("Move skull",)

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -12,9 +13,11 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from app.document import Document
 from app.jobs import Solve
 from app.settings import UserSettings
+from facemodel.cache import solve_cached
 from facemodel.project import Project, Settings
 from facemodel.projects import new_project
-from facemodel.solve import Progress, Solution, solve_project
+from facemodel.solve import Progress, Solution
+from ui.portraits import portraits
 from ui.theme.apply import apply_theme
 from ui.theme.roles import DARK
 from ui.window.editor import make_window
@@ -22,16 +25,25 @@ from ui.window.main import follow_theme
 from ui.window.main_window import MainWindow
 from ui.window.preparation import Preparation
 
+FOR_EVER = 3_600_000
+"""Milliseconds."""
+
+
+@cache
+def coarse() -> tuple[Project, Solution]:
+    """Return the default face, sampled coarsely so that frames are quick; several folders have it as fixtures."""
+    project = replace(new_project(), settings=Settings(element="hct9", density=1))
+    return project, solve_cached(project)
+
 
 @pytest.fixture(scope="session")
 def project() -> Project:
-    """Return the default face, sampled coarsely so that frames are quick."""
-    return replace(new_project(), settings=Settings(element="hct9", density=1))
+    return coarse()[0]
 
 
 @pytest.fixture(scope="session")
-def solution(project: Project) -> Solution:
-    return solve_project(project)
+def solution() -> Solution:
+    return coarse()[1]
 
 
 @pytest.fixture
@@ -48,8 +60,15 @@ def settings(tmp_path: Path, qapp: QApplication) -> Iterator[UserSettings]:
 
 
 @pytest.fixture
-def open_window(qtbot, settings: UserSettings, solution: Solution) -> Iterator[Callable[..., MainWindow]]:
-    """Open a window on a document; at the end it is closed without a question."""
+def open_window(
+    qtbot, settings: UserSettings, solution: Solution, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Callable[..., MainWindow]]:
+    """Open a window on a document; at the end it is closed without a question.
+
+    Portraits, which are taken in idle moments and then take as long as the rest of most tests, wait for the one test
+    that is about them.
+    """
+    monkeypatch.setattr(portraits, "REST", FOR_EVER)
     opened: list[MainWindow] = []
 
     def known(_project: Project, progress: Progress) -> Solution:
@@ -62,12 +81,11 @@ def open_window(qtbot, settings: UserSettings, solution: Solution) -> Iterator[C
         if not settings.preferences.geometry:
             window.resize(window.minimumSize())
         window.show()
-        qtbot.waitExposed(window)
         window.activateWindow()
         qtbot.waitUntil(window.isActiveWindow)
         if wait:
-            qtbot.waitUntil(lambda: document.solution is not None, timeout=20_000)
-            qtbot.waitUntil(lambda: window.viewport.shows_face, timeout=20_000)
+            qtbot.waitUntil(lambda: document.solution is not None)
+            qtbot.waitUntil(lambda: window.viewport.shows_face)
         return window
 
     yield open_

@@ -40,7 +40,7 @@ def page(window: MainWindow, capture: Path, qtbot: QtBot) -> MappingPage:
     window.timeline.exchange.read_capture(capture)
     qtbot.waitUntil(lambda: window.findChild(MappingPage) is not None)
     page = window.findChild(MappingPage)
-    qtbot.waitExposed(page)
+    qtbot.waitUntil(page.isVisible)
     scrub(window, PEAK)
     return page
 

@@ -76,7 +76,7 @@ def test_they_are_ticked_off_go_away_and_stay_away(window, open_window, settings
     QTest.mousePress(canvas, Qt.MouseButton.RightButton, pos=QPoint(300, 300))
     QTest.mouseMove(canvas, QPoint(340, 300))
     QTest.mouseRelease(canvas, Qt.MouseButton.RightButton, pos=QPoint(340, 300))
-    qtbot.waitUntil(lambda: settings.preferences.hint_done, timeout=5000)
+    qtbot.waitUntil(lambda: settings.preferences.hint_done)
     assert open_window(document).hints.card is None
 
 

@@ -29,7 +29,7 @@ def page(window: MainWindow, document: Document, qtbot: QtBot, tmp_path: Path) -
     document.edit(replace(document.project, animation=SMILE), "Animate")
     window.context.host.show_export()
     found = window.findChild(ExportPage)
-    qtbot.waitExposed(found)
+    qtbot.waitUntil(found.isVisible)
     found.place.setText(str(tmp_path / "smile.mp4"))
     yield found
     found.job.cancel()
@@ -51,7 +51,7 @@ def click(qtbot: QtBot, button: object) -> None:
 
 
 def finished(page: ExportPage, qtbot: QtBot) -> str:
-    qtbot.waitUntil(lambda: not page.job.running, timeout=90_000)
+    qtbot.waitUntil(lambda: not page.job.running)
     return page.progress.text.text()
 
 
@@ -108,10 +108,10 @@ def test_a_cancelled_export_leaves_the_file_that_was_there(page: ExportPage, qtb
     page.frames.rate.set_now(120.0)
     assert "replaces the smile.mp4 that is there" in page.progress.text.text()
     click(qtbot, page.export)
-    qtbot.waitUntil(lambda: page.progress.text.text().startswith("Filming"), timeout=60_000)
+    qtbot.waitUntil(lambda: page.progress.text.text().startswith("Filming"))
     click(qtbot, page.stop)
     assert finished(page, qtbot) == "The export was cancelled; nothing was written."
-    qtbot.waitUntil(lambda: exported(tmp_path) == ["smile.mp4"], timeout=30_000)
+    qtbot.waitUntil(lambda: exported(tmp_path) == ["smile.mp4"])
     assert (tmp_path / "smile.mp4").read_text() == "precious"
 
 
@@ -125,7 +125,7 @@ def test_the_editor_stays_alive_and_the_page_may_be_closed(
     document.set_weights({"12R": 0.5})
     assert document.project.expression == {"12R": 0.5}
     finished(page, qtbot)
-    qtbot.waitUntil(lambda: window.status.hint.text() == "Exported smile.obj", timeout=5000)
+    qtbot.waitUntil(lambda: window.status.hint.text() == "Exported smile.obj")
     assert len(exported(tmp_path)) == 4
 
 
@@ -170,7 +170,7 @@ def test_closing_the_window_asks_and_then_ends_an_export(
 ) -> None:
     page.frames.rate.set_now(120.0)
     click(qtbot, page.export)
-    qtbot.waitUntil(lambda: page.progress.text.text().startswith("Filming"), timeout=60_000)
+    qtbot.waitUntil(lambda: page.progress.text.text().startswith("Filming"))
     window.context.document._saved = window.context.document.project
     said = answer(QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Discard)
     assert not window.close()
@@ -178,4 +178,4 @@ def test_closing_the_window_asks_and_then_ends_an_export(
     assert window.close()
     assert said == ["“smile.mp4” is still being exported."] * 2
     assert not page.isVisible()
-    qtbot.waitUntil(lambda: exported(tmp_path) == [], timeout=30_000)
+    qtbot.waitUntil(lambda: exported(tmp_path) == [])

@@ -84,7 +84,7 @@ def test_the_face_under_the_pointer_names_its_muscle_and_a_click_selects_it(wind
     canvas = window.viewport.canvas
     cheek = QPoint(round(canvas.width() * 0.56), round(canvas.height() * 0.55))
     QTest.mouseMove(canvas, cheek)
-    qtbot.waitUntil(lambda: window.viewport.pointer.isVisible(), timeout=3000)
+    qtbot.waitUntil(lambda: window.viewport.pointer.isVisible())
     words = window.viewport.pointer.text()
     named = {muscle.key for muscle in project.muscles if muscle_label(muscle) == words}
     assert len(named) == 1

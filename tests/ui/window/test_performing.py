@@ -24,9 +24,9 @@ def test_it_plays_as_soon_as_it_is_solved(
     window = open_window(document, wait=False)
     window.context.host.perform()
     playhead = window.timeline.timeline.playhead
-    qtbot.waitUntil(lambda: not window.timeline.dock.is_folded, timeout=20_000)
-    qtbot.waitUntil(lambda: document.shown.get("12L", 0.0) > 0.1, timeout=20_000)
-    qtbot.waitUntil(lambda: not playhead.playing, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.timeline.dock.is_folded)
+    qtbot.waitUntil(lambda: document.shown.get("12L", 0.0) > 0.1)
+    qtbot.waitUntil(lambda: not playhead.playing)
     assert not document.dirty
     document.edit(replace(document.project, animation=replace(SMILE, end=2.0)), "Longer")
     assert not playhead.playing
@@ -53,5 +53,5 @@ def test_another_project_that_comes_before_it_is_solved_does_not_play(
     window.context.host.perform()
     document.begin(replace(project, animation=replace(SMILE, end=2.0)))
     let.set()
-    qtbot.waitUntil(lambda: document.solution is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: document.solution is not None)
     assert not window.timeline.timeline.playhead.playing

@@ -20,7 +20,6 @@ from ui.window.recovery_offer import RecoveryOffer
 from ui.window.safekeeping import Safekeeping
 
 LEFT = Qt.MouseButton.LeftButton
-PATIENCE = 60_000
 
 
 @pytest.fixture
@@ -36,7 +35,7 @@ def next_start(qtbot, window: MainWindow, folder: Path) -> Callable[[], Recovery
         Safekeeping(window, journals).offer_soon()
         qtbot.waitUntil(lambda: window.findChild(RecoveryOffer) is not None)
         offer = window.findChild(RecoveryOffer)
-        qtbot.waitExposed(offer)
+        qtbot.waitUntil(offer.isVisible)
         return offer
 
     return start
@@ -77,17 +76,17 @@ def test_a_killed_editor_loses_nothing(
 def test_unsaved_work_is_kept_and_leaves_with_saving(qtbot, window, document, folder, tmp_path) -> None:
     Safekeeping(window, folder)
     drag(window.expression.rows[17].slider, 0.0, 0.5)
-    qtbot.waitUntil(window.status.kept.isVisible, timeout=PATIENCE)
+    qtbot.waitUntil(window.status.kept.isVisible)
     assert len(list(folder.glob("*.risorius"))) == 1
     document.save(tmp_path / "kept.risorius")
     assert not window.status.kept.isVisible()
-    qtbot.waitUntil(lambda: not list(folder.iterdir()), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: not list(folder.iterdir()))
 
 
 def test_leaving_by_a_clean_close_leaves_nothing(qtbot, window, folder, answer) -> None:
     Safekeeping(window, folder)
     drag(window.expression.rows[17].slider, 0.0, 0.5)
-    qtbot.waitUntil(window.status.kept.isVisible, timeout=PATIENCE)
+    qtbot.waitUntil(window.status.kept.isVisible)
     answer(QMessageBox.StandardButton.Discard)
     assert window.close()
     assert list(folder.iterdir()) == []
@@ -97,7 +96,7 @@ def test_where_nothing_can_be_kept_it_is_said(qtbot, window, tmp_path) -> None:
     (tmp_path / "file").write_text("no folder")
     Safekeeping(window, tmp_path / "file" / "journal")
     drag(window.expression.rows[17].slider, 0.0, 0.5)
-    qtbot.waitUntil(lambda: window.status.kept.text() == "not autosaved", timeout=PATIENCE)
+    qtbot.waitUntil(lambda: window.status.kept.text() == "not autosaved")
 
 
 def test_nothing_left_nothing_asked(qtbot, window, folder) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMessageBox
 from facemodel.errors import FaceError
 from tests.ui.hands import drag
 from tests.ui.window.seen import picture
+from ui.portraits import NEUTRAL, portraits
 
 
 def test_the_window_lives_and_the_face_stands_while_it_is_solved(open_window, document, slow, qtbot):
@@ -18,9 +19,9 @@ def test_the_window_lives_and_the_face_stands_while_it_is_solved(open_window, do
     timer = QTimer()
     timer.timeout.connect(lambda: ticks.append(1))
     timer.start(10)
-    qtbot.waitUntil(lambda: window.status.bar.isVisible() and window.status.bar.value() > 50, timeout=20_000)
-    qtbot.waitUntil(lambda: len(ticks) > 5, timeout=5000)
-    qtbot.waitUntil(lambda: window.viewport.shows_face, timeout=20_000)
+    qtbot.waitUntil(lambda: window.status.bar.isVisible() and window.status.bar.value() > 50)
+    qtbot.waitUntil(lambda: len(ticks) > 5)
+    qtbot.waitUntil(lambda: window.viewport.shows_face)
     assert picture(window).std() > 10
     drag(window.expression.rows[17].slider, 0.0, 0.5)
     assert document.shown["17"] > 0.4
@@ -39,11 +40,11 @@ def test_cancel_stops_the_solver_and_keeps_the_face(open_window, document, qtbot
             stopped.set()
 
     window = open_window(document, solve, wait=False)
-    qtbot.waitUntil(window.status.cancel.isVisible, timeout=20_000)
+    qtbot.waitUntil(window.status.cancel.isVisible)
     QTest.mouseClick(window.status.cancel, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(stopped.is_set, timeout=5000)
-    qtbot.waitUntil(lambda: not window.status.bar.isVisible(), timeout=5000)
-    qtbot.waitUntil(lambda: window.viewport.shows_face, timeout=20_000)
+    qtbot.waitUntil(stopped.is_set)
+    qtbot.waitUntil(lambda: not window.status.bar.isVisible())
+    qtbot.waitUntil(lambda: window.viewport.shows_face)
     assert document.solution is None
     assert window.binding.qt["solve.now"].isEnabled() or window.context.solving.wanted
 
@@ -55,9 +56,9 @@ def test_a_face_that_cannot_be_solved_is_one_sentence_and_stays(open_window, doc
 
     said = answer(QMessageBox.StandardButton.Ok)
     window = open_window(document, solve, wait=False)
-    qtbot.waitUntil(lambda: bool(said), timeout=20_000)
+    qtbot.waitUntil(lambda: bool(said))
     assert said == ["The face is loose around skin vertex 7: nothing holds it there."]
-    qtbot.waitUntil(lambda: window.viewport.shows_face, timeout=20_000)
+    qtbot.waitUntil(lambda: window.viewport.shows_face)
 
 
 def test_the_solution_takes_over_what_was_posed_meanwhile(open_window, document, solution, qtbot):
@@ -69,13 +70,21 @@ def test_the_solution_takes_over_what_was_posed_meanwhile(open_window, document,
         return solution
 
     window = open_window(document, solve, wait=False)
-    qtbot.waitUntil(lambda: window.viewport.shows_face, timeout=20_000)
+    qtbot.waitUntil(lambda: window.viewport.shows_face)
     document.set_weights({"26": 1.0})
     picture(window)
     at_rest = window.viewport.scene.figure.posed.points.copy()
     go.set()
-    qtbot.waitUntil(lambda: window.viewport.scene.figure.posed.basis is solution.basis, timeout=20_000)
+    qtbot.waitUntil(lambda: window.viewport.scene.figure.posed.basis is solution.basis)
     picture(window)
     open_jaw = window.viewport.scene.figure.posed.points
     assert np.linalg.norm(open_jaw - at_rest, axis=1).max() > 5.0
     assert f"solved {len(solution.basis.names)}/{len(solution.basis.names)}" in window.status.state.text()
+
+
+def test_left_alone_it_takes_a_portrait_of_every_expression(window, document, qtbot, monkeypatch):
+    monkeypatch.setattr(portraits, "REST", 0)
+    window.portraits.refresh()
+    qtbot.waitUntil(lambda: window.portraits.complete)
+    names = [NEUTRAL, *(emotion.name for emotion in document.project.emotions)]
+    assert all(window.portraits.picture(name) is not None for name in names)

@@ -112,11 +112,11 @@ def test_only_what_a_lasso_selects_is_painted(tissue, document):
 
 def test_a_stroke_is_solved_in_the_background_with_the_expression_kept_on(open_window, document, qtbot):
     window = open_window(document, EditingSolve())
-    qtbot.waitUntil(lambda: not window.context.solving.job.running, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.context.solving.job.running)
     document.set_weights({"12": 0.8})
     window.context.view.look_from("front")
     window.context.view.change(workspace="tissue")
-    qtbot.waitUntil(lambda: not window.context.solving.job.running, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.context.solving.job.running)
     next_frame(window)
     first, posed = document.solution.basis, window.viewport.scene.figure.posed
     before = posed.points.copy()
@@ -124,7 +124,7 @@ def test_a_stroke_is_solved_in_the_background_with_the_expression_kept_on(open_w
     window.toolbox.bench.brush.set_value(0.05)
     stroke(window, [at(window, 0.57, 0.64), at(window, 0.59, 0.56)])
     assert document.stale
-    qtbot.waitUntil(lambda: not document.stale, timeout=60_000)
+    qtbot.waitUntil(lambda: not document.stale)
     next_frame(window)
     assert not np.array_equal(document.solution.basis.moving_field("12L"), first.moving_field("12L"))
     assert document.shown["12L"] == 0.8

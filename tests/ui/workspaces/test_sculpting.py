@@ -174,7 +174,7 @@ def test_the_check_is_drawn_on_the_face_with_its_legend_and_can_be_cancelled(act
     assert not window.check.running
     assert "Checks what" in panel.check.result.text()
     press(panel.check.button)
-    qtbot.waitUntil(lambda: window.check.found is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: window.check.found is not None)
     # Pressed lips rest on each other, where the sum of the loads would take them through.
     assert window.check.found.largest > 0.05
     assert "mm apart" in panel.check.result.text()
