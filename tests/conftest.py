@@ -1,5 +1,6 @@
 """What all tests share: caches and settings of their own, so that a run neither reads nor leaves any."""
 
+import gc
 import os
 import shutil
 import signal
@@ -50,6 +51,12 @@ def _folders(config: pytest.Config) -> tuple[Path, Path]:
 def pytest_configure_node(node: Any) -> None:
     """Tell another process of this run where the run's scratch folder is."""
     node.workerinput["scratch"] = str(node.config.stash[_scratch])
+
+
+def pytest_collection_finish() -> None:
+    """Leave what stays to the end out of every later search for garbage; windows have it searched when they close."""
+    gc.collect()
+    gc.freeze()
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:

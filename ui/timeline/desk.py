@@ -75,7 +75,8 @@ class TimelineDesk(QObject):
         context: Context,
         portraits: Portraits,
     ) -> None:
-        super().__init__()
+        # Its signals keep what is connected to them; they have to end with the window that is.
+        super().__init__(viewport.window())
         self.timeline, self.view = view.timeline, view
         document, playhead, deliver = view.timeline.document, view.timeline.playhead, UiThread(self).deliver
         self.sounds = SoundShelf(document, deliver)

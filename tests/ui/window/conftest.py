@@ -1,5 +1,6 @@
 """The editor on a shipped face, solved once for all tests."""
 
+import gc
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -7,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.document import Document
@@ -92,8 +93,16 @@ def open_window(
     for window in opened:
         window.context.document._saved = window.context.document.project
         window.close()
+    forget(*opened)
+
+
+def forget(*windows: MainWindow) -> None:
+    """Let closed windows go here and now: left to Python, what Qt and VTK made might go in any thread."""
+    for window in windows:
         window.deleteLater()
     QApplication.processEvents()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
 
 
 @pytest.fixture

@@ -1,5 +1,8 @@
 """Theme, room, layout, hints, keys."""
 
+import gc
+import weakref
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QOpenGLContext, QSurface
@@ -7,9 +10,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QMessageBox, QToolBar, QToolButton, QWidget
 
 from app.actions.action import shortcuts_of
+from app.document import Document
 from tests.ui.hands import drag
+from tests.ui.window.conftest import forget
 from tests.ui.window.seen import picture
 from ui.theme.apply import current_theme
+from ui.window.editor import make_window
+from ui.window.main_window import MainWindow
+from ui.window.preparation import Preparation
 
 Button = QMessageBox.StandardButton
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -135,3 +143,18 @@ def test_a_closed_window_keeps_nothing_that_belonged_to_its_drawing(window):
     assert kept()
     window.close()
     assert not kept()
+
+
+def test_a_closed_window_goes_with_its_document(project, settings, solution, qtbot):
+    def opened_and_closed() -> weakref.ref[MainWindow]:
+        document = Document(project)
+        window = make_window(document, settings, Preparation(), lambda *_: solution)
+        window.show()
+        qtbot.waitUntil(lambda: document.solution is not None and window.viewport.shows_face)
+        window.close()
+        forget(window)
+        return weakref.ref(window)
+
+    left = opened_and_closed()
+    gc.collect()
+    assert left() is None
