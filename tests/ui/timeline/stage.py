@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent, QWheelEvent
-from PySide6.QtTest import QTest
+from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
+from shiboken6 import isValid
 
 from app.actions import Context
 from app.timeline.timeline import Timeline
@@ -24,6 +25,9 @@ CTRL, SHIFT, ALT = (
     Qt.KeyboardModifier.ShiftModifier,
     Qt.KeyboardModifier.AltModifier,
 )
+
+MOMENT = 60
+"""Milliseconds for which the panel lets things change further before it follows, twice over."""
 
 
 @dataclass
@@ -110,5 +114,9 @@ class Stage:
         QTest.keyClick(target, key, held)
 
     def settle(self) -> None:
-        """Let what comes a moment later come."""
-        QTest.qWait(60)
+        """Let what comes a moment later come, however long a busy machine takes to get to it."""
+        QTest.qWait(MOMENT)
+        timers = [timer for timer in self.window.findChildren(QTimer) if timer.isSingleShot() and timer.isActive()]
+        soon = [(timer, QSignalSpy(timer.timeout)) for timer in timers if timer.interval() <= MOMENT]
+        while any(isValid(timer) and timer.isActive() and not spy.count() for timer, spy in soon):
+            QTest.qWait(1)

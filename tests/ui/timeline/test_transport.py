@@ -1,5 +1,6 @@
 """Buttons and menus of the dock, by hand: mute and solo, the band, ranges, snapping, rates, groups."""
 
+import time
 from collections.abc import Callable
 
 import pytest
@@ -12,6 +13,9 @@ from tests.ui.timeline.stage import CTRL, LEFT, SHIFT, Stage
 from ui.timeline.paint.heads import switch_area
 from ui.timeline.paint.ruler import BAND, MARKS, TIMES
 from ui.widgets.number_edit import NumberEdit
+
+PATIENCE = 60.0
+"""Seconds after which no menu opens any more."""
 
 MUTE, SOLO = 0, 1
 """Places of switches at the right of a head."""
@@ -49,11 +53,10 @@ def choose_from_menu(open_menu: Callable[[], None], title: str) -> None:
     timer.timeout.connect(click)
     timer.start(10)
     open_menu()
-    for _ in range(100):
-        if clicked:
-            return
-        QTest.qWait(10)
-    pytest.fail(f"No menu with {title} opened.")
+    end = time.monotonic() + PATIENCE
+    while not clicked:
+        assert time.monotonic() < end, f"No menu with {title} opened."
+        QTest.qWait(5)
 
 
 def push(widget: QWidget) -> None:

@@ -1,10 +1,15 @@
 """What is drawn in a window."""
 
+import time
+
 import numpy as np
 from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 
 from ui.window.main_window import MainWindow
+
+PATIENCE = 60.0
+"""Seconds after which no frame comes any more."""
 
 
 def picture(window: MainWindow) -> np.ndarray:
@@ -24,11 +29,10 @@ def next_frame(window: MainWindow) -> None:
     canvas = window.viewport.canvas
     before = canvas.frames
     canvas.ask_frame()
-    for _ in range(300):
-        QTest.qWait(10)
-        if canvas.frames > before:
-            return
-    raise AssertionError("No frame was drawn.")
+    end = time.monotonic() + PATIENCE
+    while canvas.frames == before:
+        assert time.monotonic() < end, "No frame was drawn."
+        QTest.qWait(5)
 
 
 def differs(one: np.ndarray, other: np.ndarray) -> bool:
