@@ -3,7 +3,7 @@
 import ast
 import subprocess
 import sys
-from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -49,12 +49,15 @@ def modules_of(package: str) -> set[str]:
     return {name for name in names if not name.endswith("__main__")}
 
 
-def syntax_trees(*packages: str) -> Iterator[tuple[str, str, ast.Module]]:
-    """Yield the name, the text and the syntax tree of every source of these packages."""
+@cache
+def syntax_trees(*packages: str) -> tuple[tuple[str, str, ast.Module], ...]:
+    """Return the name, the text and the syntax tree of every source of these packages."""
+    found = []
     for package in packages:
         for path in sorted((ROOT / package).rglob("*.py")):
             text = path.read_text("utf-8")
-            yield path.relative_to(ROOT).as_posix(), text, ast.parse(text)
+            found.append((path.relative_to(ROOT).as_posix(), text, ast.parse(text)))
+    return tuple(found)
 
 
 @pytest.mark.parametrize("package", WITHOUT_A_SCREEN)
