@@ -12,12 +12,15 @@ import numpy as np
 from facemodel.contact.ball import OnEyeball, near_eyeball
 from facemodel.contact.lids import Lids, lay_lids
 from facemodel.contact.mouth import Mouth, lay_lips
-from facemodel.contact.normals import TurnedNormals
+from facemodel.contact.normals import TurnedNormals, normals_of
 from facemodel.contact.teeth import rows_of_teeth
 from facemodel.display import DisplaySurface
 from facemodel.face import Eye, Face
-from facemodel.kinematics import Stance
+from facemodel.kinematics import STILL, Stance, stance_of
 from fem.types import Float32Array, IntArray
+
+INWARDS = 8.0
+"""Millimetres that take lips into the teeth."""
 
 KEPT = 3
 """Drawn surfaces whose contact is remembered: that of the document, one more, and one for an export."""
@@ -79,6 +82,19 @@ class Contact:
         mouth = lay_mouth(face, display)
         if mouth is not None:
             self._add(face, display, *mouth)
+        self._rehearse(face, display, rest)
+
+    def _rehearse(self, face: Face, display: DisplaySurface, rest: Float32Array) -> None:
+        """Press everything together once, so that no loop is left to be compiled while somebody waits for a picture."""
+        live = rest.copy()
+        for site in self._sites:
+            live[site.rows, 1] = live[site.rows, 1].mean()
+            live[site.rows, 2] -= INWARDS
+        normals = display.normals.astype(np.float32)
+        slopes = np.ascontiguousarray(display.slopes, dtype=np.float32).reshape(6, -1)
+        stance = stance_of(face, STILL.posture(face, {}), np.eye(4))
+        normals_of(slopes, normals)
+        self.settle(live, normals, slopes, stance)
 
     def _open_eye(self, face: Face, display: DisplaySurface, eye: Eye, number: int, rest: Float32Array) -> None:
         lids = lay_lids(face, display, eye)
