@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
@@ -64,20 +64,15 @@ def three_keys(hand: Hand) -> None:
 def speak(hand: Hand, sounds: str) -> None:
     """Type sounds that are said from the playhead on, as long as the voice lasts."""
     window = hand.window
-
-    def fill() -> None:
-        page = QApplication.activeModalWidget()
-        if not isinstance(page, SpeechPage):
-            QTimer.singleShot(20, fill)
-            return
-        hand.click(page.kind, page.kind.tabRect(1).center())
-        QTest.keyClicks(page.text, sounds)
-        if page.fit.isVisible():
-            hand.click(page.fit)
-        hand.click(page.take)
-
-    QTimer.singleShot(20, fill)
     hand.choose_under(window.timeline.dock.transport.add, "Type speech…")
+    hand.wait(lambda: any(page.isVisible() for page in window.findChildren(SpeechPage)))
+    (page,) = window.findChildren(SpeechPage)
+    hand.click(page.kind, page.kind.tabRect(1).center())
+    QTest.keyClicks(page.text, sounds)
+    if page.fit.isVisible():
+        hand.click(page.fit)
+    hand.click(page.take)
+    hand.wait(lambda: not window.findChildren(SpeechPage))
 
 
 def walk(hand: Hand) -> None:
