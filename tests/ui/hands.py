@@ -1,7 +1,7 @@
 """Hands: what a mouse does, as events."""
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QEnterEvent, QMouseEvent
+from PySide6.QtGui import QEnterEvent, QGuiApplication, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -48,3 +48,10 @@ def enter(widget: QWidget) -> None:
 def leave(widget: QWidget) -> None:
     """Take the pointer off a widget."""
     QApplication.sendEvent(widget, QEvent(QEvent.Type.Leave))
+
+
+def let_go(widget: QWidget) -> None:
+    """Release the buttons that other tests hold."""
+    for button in (Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton):
+        QTest.mouseRelease(widget, button)
+    assert QGuiApplication.mouseButtons() == Qt.MouseButton.NoButton

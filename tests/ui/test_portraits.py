@@ -4,31 +4,25 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication, QImage
-from PySide6.QtTest import QTest
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
 from app.authoring.emotions import renamed, with_expression
 from app.document import Document
 from facemodel.sculpting.correction import correction_of
 from facemodel.solve import solve_project
+from tests.ui.hands import let_go
 from ui.portraits import NEUTRAL, Portraits
 from ui.portraits.studio import SIZE
 from ui.theme.apply import apply_theme
 from ui.theme.roles import DARK, LIGHT
 
-SOON = 20_000
-
 
 @pytest.fixture(autouse=True)
 def _nobody_is_busy(monkeypatch: pytest.MonkeyPatch, shown) -> None:
-    """Let go of the buttons that other tests hold; nobody changes anything, so that there is nothing to wait for."""
+    """No hand is at work, and nobody changes anything, so that there is nothing to wait for."""
     monkeypatch.setattr("ui.portraits.portraits.REST", 20)
-    desk = shown(QWidget())
-    for button in (Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton):
-        QTest.mouseRelease(desk, button)
-    assert QGuiApplication.mouseButtons() == Qt.MouseButton.NoButton
+    let_go(shown(QWidget()))
 
 
 @pytest.fixture
@@ -38,7 +32,7 @@ def solved(document: Document) -> Document:
 
 
 def wait(qtbot, portraits: Portraits) -> None:
-    qtbot.waitUntil(lambda: portraits.complete, timeout=SOON)
+    qtbot.waitUntil(lambda: portraits.complete)
 
 
 def pixels(picture: QImage | None) -> np.ndarray:

@@ -54,7 +54,9 @@ def document(project: Project) -> Document:
 
 @pytest.fixture
 def settings(tmp_path: Path, qapp: QApplication) -> Iterator[UserSettings]:
+    """Preferences of a test; the quality of drawing is none that depends on how busy this machine is."""
     settings = UserSettings(tmp_path / "preferences.json")
+    settings.change(quality="fast")
     follow_theme(qapp, settings)
     yield settings
     apply_theme(qapp, DARK)

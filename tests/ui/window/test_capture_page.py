@@ -161,9 +161,9 @@ def landmark_page(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> MappingPa
     file = tmp_path / "take.npz"
     np.savez(file, landmarks=seen(project, window.context.document.solution, shown))
     window.timeline.exchange.read_capture(file)
-    qtbot.waitUntil(lambda: window.findChild(MappingPage) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.findChild(MappingPage) is not None)
     page = window.findChild(MappingPage)
-    qtbot.waitExposed(page)
+    qtbot.waitUntil(page.isVisible)
     return page
 
 
@@ -181,11 +181,11 @@ def test_the_moment_of_rest_is_looked_at_and_chosen(
     assert playhead.time > 1.0
     assert document.shown["26"] > 0.5
     QTest.mouseRelease(page.rest.bar, LEFT, Qt.KeyboardModifier.NoModifier, page.rest.bar.rect().center())
-    qtbot.waitUntil(lambda: document.shown.get("26", 0.0) < 0.2, timeout=20_000)
+    qtbot.waitUntil(lambda: document.shown.get("26", 0.0) < 0.2)
 
     scrub(window, 0.5)
     QTest.mouseClick(page.rest.here, LEFT)
-    qtbot.waitUntil(lambda: "at rest at 0.5" in page.notes.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "at rest at 0.5" in page.notes.text())
     page.reject()
     assert document.history.done == ()
 

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
 
 from facemodel.errors import FaceError
-from tests.ui.hands import drag
+from tests.ui.hands import drag, let_go
 from tests.ui.window.seen import picture
 from ui.portraits import NEUTRAL, portraits
 
@@ -84,6 +84,7 @@ def test_the_solution_takes_over_what_was_posed_meanwhile(open_window, document,
 
 def test_left_alone_it_takes_a_portrait_of_every_expression(window, document, qtbot, monkeypatch):
     monkeypatch.setattr(portraits, "REST", 0)
+    let_go(window.viewport.canvas)
     window.portraits.refresh()
     qtbot.waitUntil(lambda: window.portraits.complete)
     names = [NEUTRAL, *(emotion.name for emotion in document.project.emotions)]

@@ -17,7 +17,7 @@ LEFT = Qt.MouseButton.LeftButton
 def page(window: MainWindow, qtbot: QtBot) -> SpeechPage:
     window.binding.qt["timeline.type-speech"].trigger()
     (page,) = window.findChildren(SpeechPage)
-    qtbot.waitExposed(page)
+    qtbot.waitUntil(page.isVisible)
     page.kind.setCurrentIndex(1)
     return page
 
