@@ -18,9 +18,10 @@ from fem.types import FloatArray
 FAINTEST = 0.05
 """Share of its largest pull below which a muscle is not felt at a place."""
 
-ALL_ALONG = 0.25
-"""Kappa of fibres that pull much the same along their whole length: a muscle lies where its belly is, even if it moves
-the skin only where it is attached, as frontalis does at the brow."""
+ALL_ALONG, BROADER = 0.5, 1.5
+"""Kappa of fibres that pull much the same along their whole length, and how much wider a belly is than the strip of
+skin that it pulls: a muscle lies where its belly is, even if it moves the skin only where it is attached, as frontalis
+does at the brow."""
 
 
 class MusclePulls:
@@ -32,8 +33,7 @@ class MusclePulls:
     def of(self, muscle: Muscle, face: Face) -> FloatArray:
         """How strongly (N,) a muscle would act if its fibres pulled all along, N/mm^2 or mm as its model says."""
         kept = self._kept.setdefault(muscle, Kept())
-        even = replace(muscle, kappa=min(muscle.kappa, ALL_ALONG))
-        return kept.get(acting(muscle, face), lambda: np.linalg.norm(muscle_action(even, face), axis=1))
+        return kept.get(acting(muscle, face), lambda: np.linalg.norm(muscle_action(_belly(muscle), face), axis=1))
 
     def strongest(self, project: Project, vertex: int, hidden: frozenset[str] = frozenset()) -> Muscle | None:
         """The muscle that lies most under a skin vertex, measured by its own largest pull; None where none does."""
@@ -44,3 +44,10 @@ class MusclePulls:
             if muscle.key not in hidden and top > 0 and pull[vertex] / top > share:
                 best, share = muscle, float(pull[vertex] / top)
         return best
+
+
+def _belly(muscle: Muscle) -> Muscle:
+    """A muscle of fibres as wide as its belly and pulling all along it; any other as it is."""
+    if not muscle.fibres:
+        return muscle
+    return replace(muscle, kappa=min(muscle.kappa, ALL_ALONG), width=BROADER * muscle.width)

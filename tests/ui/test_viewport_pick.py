@@ -71,16 +71,23 @@ def test_the_backdrop_is_nothing() -> None:
     assert scene.muscle_at(3, 3) is None
 
 
-@pytest.mark.parametrize("above", [12.0, 20.0, 30.0])
-@pytest.mark.parametrize(("brow", "muscle"), [("brow_inner_L", "frontalis_medialis_L"), ("brow_mid_R", "frontalis")])
-def test_on_the_forehead_frontalis_lies_under_the_pointer(brow: str, muscle: str, above: float) -> None:
+@pytest.mark.parametrize(
+    ("brow", "above", "muscle"),
+    [
+        ("brow_inner_L", 12.0, "frontalis_medialis_L"),
+        ("brow_inner_L", 30.0, "frontalis_medialis_L"),
+        ("brow_mid_R", 12.0, "frontalis_lateralis_R"),
+        ("brow_mid_R", 20.0, "frontalis_lateralis_R"),
+    ],
+)
+def test_on_the_forehead_frontalis_lies_under_the_pointer(brow: str, above: float, muscle: str) -> None:
     """It moves the skin at the brow alone, and lies above that."""
     project, _ = sitter()
     place = project.face.skin.positions[project.face.landmarks[brow]] + np.array([0, above, 0])
     vertex = int(project.face.skin.tree.query(place)[1])
     found = MusclePulls().strongest(project, vertex)
     assert found is not None
-    assert found.key.startswith(muscle)
+    assert found.key == muscle
 
 
 @pytest.mark.parametrize(("place", "group"), [("brow_inner", "brow"), ("pogonion", "chin")])
