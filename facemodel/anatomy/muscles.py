@@ -24,7 +24,7 @@ def laid_band(band: Band, side: Side, place: Placement) -> Muscle:
         band.title,
         band.group,
         "fibre",
-        tuple(place.fibre(course, side) for course in band.courses),
+        tuple(place.fibre(course, side, not band.midline) for course in band.courses),
         None,
         band.width * place.scale,
         band.kappa,

@@ -17,6 +17,9 @@ SCALE_FROM = ("eye_outer_L", "eye_outer_R")
 EYES_APART = 87.0
 """Millimetres between the outer canthi for which lengths are written; other heads scale them."""
 
+OWN_SIDE = 2.0
+"""Millimetres from the midline beyond which both ends of a paired muscle stay."""
+
 
 class Placement:
     """One head, on which spots become points.
@@ -56,11 +59,22 @@ class Placement:
         """The bone (3,) under the place of the skin that is nearest to a spot."""
         return self._below(self.point(spot, side))
 
-    def fibre(self, course: Course, side: str) -> Fibre:
-        """A central fibre, which touches bone in between as often as its course says."""
-        origin, attachment = self.on_bone(course.origin, side), self.on_skin(course.attachment, side)
+    def fibre(self, course: Course, side: str, paired: bool = True) -> Fibre:
+        """A central fibre, which touches bone in between as often as its course says.
+
+        That of a paired muscle keeps to its own side: where its words would bring an end across the midline of a narrow
+        head, it stays `OWN_SIDE` short of that.
+        """
+        ends = (self.point(spot, side) for spot in (course.origin, course.attachment))
+        start, end = (self._kept(point, side) for point in ends) if paired else ends
+        origin, attachment = self._below(start), np.array(nearest(self._skin, end)[0][0])
         shares = np.linspace(0, 1, course.over + 2)[1:-1]
         return Fibre(origin, attachment, tuple(self._below(origin + s * (attachment - origin)) for s in shares))
+
+    def _kept(self, point: FloatArray, side: str) -> FloatArray:
+        """A point (3,) no nearer to the midline than a paired muscle comes."""
+        outward, least = (-1.0 if side == "R" else 1.0), OWN_SIDE * self.scale
+        return np.array([outward * max(outward * float(point[0]), least), *point[1:]])
 
     def _below(self, point: FloatArray) -> FloatArray:
         """The bone (3,) under the place of the skin that is nearest to a point."""

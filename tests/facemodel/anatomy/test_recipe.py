@@ -31,6 +31,15 @@ AT_BONE = 1.0
 """Millimetres from the bone within which half of the origins lie: each is a mean of the feet of three springs, and in a
 cheek one of these may stand on the other jaw."""
 
+FARTHEST_OFF = 6.0
+"""Millimetres from the bone within which all of them lie: where skin is steep its springs do not stand upright."""
+
+ARISE_IN_SKIN = ("platysma",)
+"""Muscles that arise in the fascia of the neck, and at no bone."""
+
+ACROSS = 0.5
+"""Millimetres by which bone under a place beside the midline lies across it."""
+
 NEAREST = 0.2
 """Millimetres by which two places of skin differ that are equally near, on both sides of the midline."""
 
@@ -120,6 +129,18 @@ def test_origins_lie_at_the_bone_and_attachments_in_the_skin(face: Face) -> None
             away.append(min(nearest(bone, fibre.origin)[2][0] for bone in bones))
             assert nearest(face.skin, fibre.attachment)[2][0] < ROUNDED
     assert np.median(away) < AT_BONE
+
+
+@pytest.mark.parametrize("key", face_keys())
+def test_every_muscle_arises_at_the_bone_of_its_own_side(key: str, shipped: Callable[[str], Face]) -> None:
+    face = shipped(key)
+    for muscle in laid(face):
+        out = {"L": 1.0, "R": -1.0}.get(muscle.side, 0.0)
+        for fibre in muscle.fibres:
+            away = min(nearest(bone, fibre.origin)[2][0] for bone in (face.skull.cranium, face.skull.mandible))
+            assert away < FARTHEST_OFF or muscle.name in ARISE_IN_SKIN, muscle.key
+            for end in (fibre.origin, fibre.attachment):
+                assert out * end[0] >= -ACROSS, muscle.key
 
 
 @given(st.integers(0, len(KNOBS) - 1), st.floats(-MOST_TURNS, MOST_TURNS).filter(lambda x: abs(x) > 0.1))

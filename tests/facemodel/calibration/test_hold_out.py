@@ -64,7 +64,7 @@ def test_a_known_mixture_is_told_as_it_is_and_not_as_it_would_serve_best(trial: 
     )
     angle = smiling @ whole / (np.linalg.norm(smiling) * np.linalg.norm(whole))
     assert both.contracted(of_four_muscles(), _pulling_both_ways()) == pytest.approx([angle])
-    assert angle < 0.95
+    assert angle < 0.98
 
 
 def _pulling_both_ways() -> tuple[ActionUnit, ...]:
