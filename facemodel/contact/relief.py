@@ -12,8 +12,8 @@ import numpy as np
 from facemodel.compiled import compiled
 from fem.types import Float32Array, FloatArray, IntArray
 
-WIDTHS, DEPTHS = 64, 36
-"""Places of the grid across and from back to front: in steps of a millimetre and of two thirds of one."""
+WIDTHS, DEPTHS = 80, 56
+"""Places of the grid across and from back to front: in steps of two thirds of a millimetre, so that a crumpled lip is seen."""
 
 FAR = 1e3
 """Millimetres; where there is no lip at all it is so far away."""
