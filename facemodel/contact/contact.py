@@ -88,8 +88,9 @@ class Contact:
         """Press everything together once, so that no loop is left to be compiled while somebody waits for a picture."""
         live = rest.copy()
         for site in self._sites:
-            live[site.rows, 1] = live[site.rows, 1].mean()
-            live[site.rows, 2] -= INWARDS
+            if len(site.rows):
+                live[site.rows, 1] = live[site.rows, 1].mean()
+                live[site.rows, 2] -= INWARDS
         normals = display.normals.astype(np.float32)
         slopes = np.ascontiguousarray(display.slopes, dtype=np.float32).reshape(6, -1)
         stance = stance_of(face, STILL.posture(face, {}), np.eye(4))
