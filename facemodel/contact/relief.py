@@ -13,7 +13,7 @@ from facemodel.compiled import compiled
 from fem.types import Float32Array, FloatArray, IntArray
 
 WIDTHS, DEPTHS = 80, 56
-"""Places of the grid across and from back to front: in steps of two thirds of a millimetre, so that a crumpled lip is seen."""
+"""Places of the grid across and from back to front: two thirds of a millimetre apart, so that crumpled lips are seen."""
 
 FAR = 1e3
 """Millimetres; where there is no lip at all it is so far away."""
