@@ -13,7 +13,7 @@ from facemodel.compiled import compiled
 from fem.types import Float32Array, FloatArray, IntArray
 
 WIDTHS, DEPTHS = 80, 56
-"""Places of the grid across and from back to front: two thirds of a millimetre apart, so that crumpled lips are seen."""
+"""Places of the grid across and from back to front: so near that crumpled lips are seen, too."""
 
 FAR = 1e3
 """Millimetres; where there is no lip at all it is so far away."""
