@@ -18,7 +18,7 @@ from fem.types import FloatArray
 FAINTEST = 0.05
 """Share of its largest pull below which a muscle is not felt at a place."""
 
-ALL_ALONG, BROADER = 0.5, 1.5
+ALL_ALONG, BROADER = 0.7, 1.5
 """Kappa of fibres that pull much the same along their whole length, and how much wider a belly is than the strip of
 skin that it pulls: a muscle lies where its belly is, even if it moves the skin only where it is attached, as frontalis
 does at the brow."""

@@ -109,7 +109,7 @@ def test_the_cheek_raiser_raises_the_cheek(face: Face, moves: Moves) -> None:
         ("14L", "mouth_corner_L", 2, -2.0),
         ("15L", "mouth_corner_L", 1, -3.0),
         ("16", "lower_lip_mid", 1, -2.0),
-        ("17", "chin", 1, 1.75),
+        ("17", "chin", 1, 2.0),
         ("17", "lower_lip_mid", 1, 4.0),
         ("18", "mouth_corner_L", 0, -4.0),
         ("18", "mouth_corner_L", 2, 2.0),

@@ -40,7 +40,7 @@ def test_a_body_ends_at_the_ends_of_its_fibres(bodies):
         for column, end in ((0, "origin"), (-1, "attachment")):
             ends = np.array([getattr(fibre, end) for fibre in muscle.fibres])
             middle = body.points[:, column].mean(axis=0)
-            assert np.linalg.norm(ends - middle, axis=1).min() < 10.0, key
+            assert np.linalg.norm(ends - middle, axis=1).min() < 9.0, key
 
 
 def edges_open(body: Band) -> int:

@@ -77,7 +77,7 @@ def test_the_backdrop_is_nothing() -> None:
         ("brow_inner_L", 12.0, "frontalis_medialis_L"),
         ("brow_inner_L", 30.0, "frontalis_medialis_L"),
         ("brow_mid_R", 12.0, "frontalis_lateralis_R"),
-        ("brow_mid_R", 20.0, "frontalis_lateralis_R"),
+        ("brow_mid_R", 30.0, "frontalis_lateralis_R"),
     ],
 )
 def test_on_the_forehead_frontalis_lies_under_the_pointer(brow: str, above: float, muscle: str) -> None:
