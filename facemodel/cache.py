@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import platformdirs
 
 from facemodel.actions import skin_units
 from facemodel.basis import Basis
 from facemodel.chart import ChartFigures
 from facemodel.display import DisplaySurface
 from facemodel.face import Jaw
+from facemodel.folders import cache_folder
 from facemodel.jaw.arc import JawArc
 from facemodel.jaw.modes import JawMode
 from facemodel.project import Project
@@ -35,12 +35,6 @@ KEPT = 16
 
 ABANDONED = 3600.0
 """Seconds after which an unfinished entry counts as left behind by a program that was ended while it wrote."""
-
-
-def cache_folder() -> Path:
-    """Where solutions are kept; ``RISORIUS_CACHE`` in the environment names another folder."""
-    named = os.environ.get("RISORIUS_CACHE")
-    return Path(named) if named else Path(platformdirs.user_cache_dir("risorius", appauthor=False))
 
 
 def solution_key(project: Project) -> str:

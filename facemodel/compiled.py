@@ -11,7 +11,8 @@ from typing import TypeVar, cast
 
 import numba
 from numba import njit
-from platformdirs import user_cache_path
+
+from facemodel.folders import cache_folder
 
 F = TypeVar("F", bound=Callable[..., object])
 
@@ -41,7 +42,7 @@ def _version() -> str:
 def _folder() -> Path:
     """Where compiled loops are kept: beside what else Python compiles, or with the user's caches."""
     beside = Path(__file__).parent / "__pycache__"
-    base = beside if os.access(beside if beside.exists() else beside.parent, os.W_OK) else user_cache_path("risorius")
+    base = beside if os.access(beside if beside.exists() else beside.parent, os.W_OK) else cache_folder()
     folder = base / (PREFIX + _version())
     if not folder.exists():
         folder.mkdir(parents=True, exist_ok=True)

@@ -11,9 +11,10 @@ from app.cli.expression import asked_expression
 from app.cli.figures import figures, figures_text
 from app.cli.progress import ProgressLine
 from app.cli.screen import Screen
-from facemodel.cache import cache_folder, cached_solution, keep_solution, solve_cached
+from facemodel.cache import cached_solution, keep_solution, solve_cached
 from facemodel.errors import ProjectError
 from facemodel.faces import DEFAULT_FACE
+from facemodel.folders import cache_folder
 from facemodel.io.disk import checked_target
 from facemodel.io.project_file import load_project, save_project
 from facemodel.project import Project

@@ -9,8 +9,8 @@ from app.examples.example import Example
 from app.examples.line import line_project
 from app.examples.smile import smile_project
 from app.examples.timing import timing_project
-from facemodel.cache import cache_folder
 from facemodel.errors import ProjectError, UnknownNameError
+from facemodel.folders import cache_folder
 from facemodel.project import Project
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import igl
 import numpy as np
 
 from facemodel.compiled import compiled
+from facemodel.contact.grid import beside, between
 from facemodel.mesh import Mesh
 from fem.types import FloatArray
 
@@ -31,38 +31,15 @@ SMALLEST = 1e-6
 """Millimetres from the axis of an arch, at which there is no way out of it."""
 
 
-@dataclass(frozen=True, eq=False)
-class Arch:
+class Arch(NamedTuple):
     """A row of teeth on a grid of directions and levels.
 
     Attributes
     ----------
     axis : (2,) x and z of the upright axis that the arch is seen from
-    halves : (D,) tangents of half the angle from the front, evenly spaced, increasing to the left
-    levels : (L,) increasing height
+    half, turn : tangent of half the angle of the first direction, from the front to the left, and steps of it
+    level, rise : the lowest height, and steps upwards
     reach : (D, L) how far from the axis the front of teeth and gum stands
-    """
-
-    axis: FloatArray
-    halves: FloatArray
-    levels: FloatArray
-    reach: FloatArray
-
-    @property
-    def grid(self) -> ArchGrid:
-        """The same for `depth_in`."""
-        turn, rise = self.halves[1] - self.halves[0], self.levels[1] - self.levels[0]
-        return ArchGrid(self.axis, float(self.halves[0]), float(turn), float(self.levels[0]), float(rise), self.reach)
-
-
-class ArchGrid(NamedTuple):
-    """An arch as numbers.
-
-    Attributes
-    ----------
-    axis, reach : see `Arch`
-    half, level : the first of each
-    turn, rise : steps between them
     """
 
     axis: FloatArray
@@ -74,7 +51,7 @@ class ArchGrid(NamedTuple):
 
 
 @compiled
-def depth_in(arch: ArchGrid, x: float, y: float, z: float) -> tuple[float, float, float]:
+def depth_in(arch: Arch, x: float, y: float, z: float) -> tuple[float, float, float]:
     """How deep a place is in teeth and gum, below zero outside, and the x and z of the way out.
 
     Beside the last teeth, and above and below its grid, an arch falls back.
@@ -85,14 +62,8 @@ def depth_in(arch: ArchGrid, x: float, y: float, z: float) -> tuple[float, float
     # The tangent of half an angle needs no arc tangent; straight behind the axis it has no end.
     half = right / max(away + front, SMALLEST)
     u, v = (half - arch.half) / arch.turn, (y - arch.level) / arch.rise
-    inside_u, inside_v = min(max(u, 0.0), directions - 1.0), min(max(v, 0.0), levels - 1.0)
-    beside = 2 * abs(u - inside_u) * arch.turn * away + abs(v - inside_v) * arch.rise
-    i, k = min(int(inside_u), directions - 2), min(int(inside_v), levels - 2)
-    s, t = inside_u - i, inside_v - k
-    low = arch.reach[i, k] * (1 - s) + arch.reach[i + 1, k] * s
-    high = arch.reach[i, k + 1] * (1 - s) + arch.reach[i + 1, k + 1] * s
-    reach = low * (1 - t) + high * t - ROUND * beside
-    return reach - away, right / away, front / away
+    off = 2 * beside(u, directions) * arch.turn * away + beside(v, levels) * arch.rise
+    return between(arch.reach, u, v) - ROUND * off - away, right / away, front / away
 
 
 def arch_of(mesh: Mesh, upwards: bool) -> Arch | None:
@@ -151,4 +122,5 @@ def _with_gum(axis: FloatArray, halves: FloatArray, levels: FloatArray, reach: F
     else:
         levels = np.concatenate([levels[0] - more[::-1], levels])
         reach = np.concatenate([np.repeat(reach[:, :1], extra, axis=1), reach], axis=1)
-    return Arch(axis, halves, levels, reach)
+    turn = halves[1] - halves[0]
+    return Arch(axis, float(halves[0]), float(turn), float(levels[0]), float(step), reach)

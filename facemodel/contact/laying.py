@@ -22,7 +22,6 @@ class Reach:
 
     Attributes
     ----------
-    profile : how far the columns run at most, from its edge
     whole, faded : up to where the skin goes with the edge, and from where on it stays, above and below
     kept : up to where a point is kept on its own side
     end : share of half the slit at which the outermost columns lie; in the corner itself both sides are one
@@ -30,7 +29,6 @@ class Reach:
     joined : share of it from which on less and less goes with a column; nothing at the corner, which is of both sides
     """
 
-    profile: float
     whole: tuple[float, float]
     faded: tuple[float, float]
     kept: float

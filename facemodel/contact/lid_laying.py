@@ -21,6 +21,9 @@ FEWEST = 7
 SAMPLES = 14
 """Places on each column."""
 
+PROFILE = 8.0
+"""Millimetres that the columns run from the edge of a lid at most."""
+
 AROUND = 15.0
 """Millimetres beyond half the slit's width about its middle that columns may run over."""
 
@@ -44,14 +47,14 @@ def lid_columns(
     axes = Axes(about.centre, about.axes)
     right, left = axes.along(slit.corners)
     offsets = (right + left) / 2 + reach.end * (left - right) / 2 * np.linspace(-1, 1, COLUMNS)
-    sides = [_traced(slit, display, axes, reach, upper, offsets) for upper in (True, False)]
+    sides = [_traced(slit, display, axes, upper, offsets) for upper in (True, False)]
     both = np.intersect1d(sides[0][1], sides[1][1])
     if len(both) < FEWEST:
         return None
     columns = [_chosen(made, np.searchsorted(kept, both)) for made, kept in sides]
     ends = [edge(made.places(slit.rest.astype(np.float32))) for made in columns]
     columns = [_ended(made, last) for made, last in zip(columns, ends, strict=True)]
-    reach = reach.beyond(float(np.median(ends)) / (SAMPLES - 1) * reach.profile)
+    reach = reach.beyond(float(np.median(ends)) / (SAMPLES - 1) * PROFILE)
     shares = [
         slit.spread(lambda *at, side=side: column_shares(axes, offsets[both], reach, side, *at)) for side in (0, 1)
     ]
@@ -84,7 +87,7 @@ def _lid(sign: float, columns: Columns, rows: IntArray, shares: FloatArray, kept
 
 
 def _traced(
-    slit: DrawnSlit, display: DisplaySurface, axes: Axes, reach: Reach, upper: bool, offsets: FloatArray
+    slit: DrawnSlit, display: DisplaySurface, axes: Axes, upper: bool, offsets: FloatArray
 ) -> tuple[Columns, IntArray]:
     """The columns of one side of a slit; about its corners they end where the other side begins."""
     points = slit.rest[slit.first :]
@@ -92,7 +95,7 @@ def _traced(
     middle, half = slit.corners.mean(axis=0), np.linalg.norm(slit.corners[1] - slit.corners[0]) / 2
     near = (np.linalg.norm(points - middle, axis=1) < half + AROUND) & (slit.upper[slit.first :] == upper)
     edge = slit.edges.upper if upper else slit.edges.lower
-    sheet = Sheet(points, triangles[near[triangles].all(axis=1)], slit.first, edge, reach.profile, SAMPLES)
+    sheet = Sheet(points, triangles[near[triangles].all(axis=1)], slit.first, edge, PROFILE, SAMPLES)
     return trace(sheet, [axes.along(points) - offset for offset in offsets], len(slit.rest))
 
 

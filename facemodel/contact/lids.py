@@ -16,7 +16,7 @@ from facemodel.kinematics import Stance
 from facemodel.openings import lids_of
 from fem.types import Float32Array, FloatArray, IntArray
 
-LIDS = Reach(profile=8.0, whole=(1.0, 0.5), faded=(9.0, 6.0), kept=2.0, end=0.96)
+LIDS = Reach(whole=(1.0, 0.5), faded=(9.0, 6.0), kept=2.0, end=0.96)
 """The margin of a lid goes as a whole, however thick it is; the upper lid moves up to its fold, the lower one less."""
 
 CLOSING, CLOSED = 0.55, 0.86

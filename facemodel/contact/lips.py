@@ -119,7 +119,7 @@ class Lips:
         ----------
         deepest : how far they were in each other before they were parted
         """
-        still = 1 - min(deepest / PRESSED, 1.0)
+        still = _still(deepest)
         high, low = self._spared
         self._pair.keep_apart(here, still * high, still * low)
 
@@ -204,6 +204,12 @@ def _ways(overlap: FloatArray, resting: FloatArray, lip: Lip) -> FloatArray:
 
 
 @compiled
+def _still(deepest: float) -> float:
+    """How far lips that were so deep in each other are left to be as they are at rest, from 0 to 1."""
+    return 1 - min(deepest / PRESSED, 1.0)
+
+
+@compiled
 def _part(
     here: Float32Array,
     axes: Axes,
@@ -231,7 +237,7 @@ def _part(
         lift(here, lower.spread, SHARE * fall, -axes.axes[1])
         left_over, left_under = left_over + LEFT, left_under + LEFT
         reading = _read_lips(here, axes, upper, lower)
-    still = 1 - min(deepest / PRESSED, 1.0)
+    still = _still(deepest)
     _bring_both_back(here, axes, upper, lower, reading, still * high, still * low)
     return deepest
 

@@ -19,7 +19,7 @@ from facemodel.kinematics import Stance
 from facemodel.openings import mouth_of
 from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
-LIPS = Reach(profile=12.0, whole=(2.0, 2.0), faded=(16.0, 16.0), kept=11.5, end=0.97, joined=0.9)
+LIPS = Reach(whole=(2.0, 2.0), faded=(16.0, 16.0), kept=11.5, end=0.97, joined=0.9)
 """The red of a lip gives way as a whole; nose and chin stay, so that lips that are pressed get thinner."""
 
 BESIDE = 1.0

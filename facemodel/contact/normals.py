@@ -80,9 +80,15 @@ def _turn(
                 ux, uy, uz = ux + d_u[k] * x, uy + d_u[k] * y, uz + d_u[k] * z
                 vx, vy, vz = vx + d_v[k] * x, vy + d_v[k] * y, vz + d_v[k] * z
         if not still:
-            nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
-            length = np.sqrt(nx * nx + ny * ny + nz * nz) + SMALLEST_NORMAL
-            normals[i, 0], normals[i, 1], normals[i, 2] = nx / length, ny / length, nz / length
+            _write(normals, i, ux, uy, uz, vx, vy, vz)
+
+
+@compiled
+def _write(normals: Float32Array, i: int, ux: float, uy: float, uz: float, vx: float, vy: float, vz: float) -> None:
+    """Write the unit normal of a point by the slopes of the surface along u and v."""
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    length = np.sqrt(nx * nx + ny * ny + nz * nz) + SMALLEST_NORMAL
+    normals[i, 0], normals[i, 1], normals[i, 2] = nx / length, ny / length, nz / length
 
 
 @compiled
@@ -91,9 +97,7 @@ def normals_of(slopes: Float32Array, normals: Float32Array) -> None:
     for i in range(slopes.shape[1]):
         ux, uy, uz = slopes[0, i], slopes[1, i], slopes[2, i]
         vx, vy, vz = slopes[3, i], slopes[4, i], slopes[5, i]
-        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
-        length = np.sqrt(nx * nx + ny * ny + nz * nz) + SMALLEST_NORMAL
-        normals[i, 0], normals[i, 1], normals[i, 2] = nx / length, ny / length, nz / length
+        _write(normals, i, ux, uy, uz, vx, vy, vz)
 
 
 def _slopes(chart: FloatArray, rows: IntArray, columns: IntArray, count: int) -> tuple[csr_array, csr_array]:

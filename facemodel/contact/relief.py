@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from facemodel.compiled import compiled
+from facemodel.contact.grid import beside, between
 from fem.types import Float32Array, FloatArray, IntArray
 
 WIDTHS, DEPTHS = 80, 56
@@ -189,10 +190,5 @@ def height_at(heights: FloatArray, grid: Grid, along: float, depth: float) -> fl
     """The height between the places of the grid; beside it a lip rises away from there."""
     count, deep = heights.shape
     u, v = (along - grid.left) / grid.wide, (depth - grid.back) / grid.deep
-    inside_u, inside_v = min(max(u, 0.0), count - 1.0), min(max(v, 0.0), deep - 1.0)
-    beside = STEEP * (abs(u - inside_u) * grid.wide + abs(v - inside_v) * grid.deep)
-    i, k = min(int(inside_u), count - 2), min(int(inside_v), deep - 2)
-    s, t = inside_u - i, inside_v - k
-    low = heights[i, k] * (1 - s) + heights[i + 1, k] * s
-    high = heights[i, k + 1] * (1 - s) + heights[i + 1, k + 1] * s
-    return float(low * (1 - t) + high * t + beside)
+    away = STEEP * (beside(u, count) * grid.wide + beside(v, deep) * grid.deep)
+    return between(heights, u, v) + away

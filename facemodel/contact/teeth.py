@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from facemodel.compiled import compiled
-from facemodel.contact.arch import Arch, ArchGrid, arch_of, depth_in
+from facemodel.contact.arch import Arch, arch_of, depth_in
 from facemodel.contact.lips import Lip
 from facemodel.contact.spread import lift
 from facemodel.face import Face
@@ -43,7 +43,7 @@ class PosedRow(NamedTuple):
     turn, shift : (3, 3), (3,) what has moved it from there
     """
 
-    arch: ArchGrid
+    arch: Arch
     turn: FloatArray
     shift: FloatArray
 
@@ -115,7 +115,7 @@ def _resting_depths(rest: Float32Array, row: PosedRow, lip: Lip, first: int) -> 
 
 def _posed(row: Row, jaw: FloatArray) -> PosedRow:
     motion = jaw if row.on_jaw else np.eye(4)
-    return PosedRow(row.arch.grid, np.ascontiguousarray(motion[:3, :3]), np.ascontiguousarray(motion[:3, 3]))
+    return PosedRow(row.arch, np.ascontiguousarray(motion[:3, :3]), np.ascontiguousarray(motion[:3, 3]))
 
 
 @compiled

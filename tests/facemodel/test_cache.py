@@ -13,13 +13,13 @@ from facemodel.actions import JawMotion
 from facemodel.cache import (
     ABANDONED,
     KEPT,
-    cache_folder,
     cached_solution,
     keep_solution,
     solution_key,
     solve_cached,
 )
 from facemodel.face import Face
+from facemodel.folders import cache_folder
 from facemodel.project import Project, Settings
 from facemodel.solve import Solution, solve_project
 from tests.app.conftest import small_project
