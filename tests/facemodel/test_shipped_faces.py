@@ -10,12 +10,16 @@ from facemodel.chart import chart_figures
 from facemodel.errors import UnknownNameError
 from facemodel.face import Face
 from facemodel.faces import DEFAULT_FACE, face_keys, load_face
+from facemodel.making.lips import with_closed_lips
 from facemodel.mesh import Mesh, submesh
 
 EVERY_FACE = pytest.mark.parametrize("key", face_keys())
 Shipped = Callable[[str], Face]
 
 FOLDED = ("eye_", "upper_li", "lower_li", "mouth_corner", "ala", "tragus", "cupid")
+
+CLOSED = 0.5
+"""Millimetres that lips which rest on each other may move when they are closed once more."""
 
 CARUNCLE = 6.0
 """Millimetres about the inner corner of the eye where the lids leave the eyeball."""
@@ -227,3 +231,10 @@ def test_it_says_where_it_comes_from(shipped: Shipped, key: str) -> None:
     assert face.title
     assert "MakeHuman" in face.provenance
     assert "CC0" in face.provenance
+
+
+@pytest.mark.parametrize("key", ["ada", "chen"])
+def test_lips_that_rest_on_each_other_are_left_so_when_a_face_is_made(key: str, shipped: Shipped) -> None:
+    face = shipped(key)
+    moved = np.linalg.norm(with_closed_lips(face).skin.positions - face.skin.positions, axis=1)
+    assert 0 < moved.max() < CLOSED
