@@ -14,9 +14,6 @@ from facemodel.superposition import Superposition
 
 DEEPEST = 0.3
 """Millimetres that lips may be in each other or in the teeth; `python -m benchmarks contact` tries 10,000 mixes."""
-CRUMPLED = 0.5
-"""Millimetres that are allowed to a single mix of MIXES: dozens of units at once, which no face can do, crumple lips to
-folds that are finer than what they are compared on."""
 NOTHING_SEEN = 0.15
 MIXES = 300
 OF_OTHERS = 60
@@ -40,8 +37,7 @@ def depths_in(project: Project, basis: Basis, mixes: int) -> np.ndarray:
 def test_random_mixes_of_sliders_keep_lips_out_of_each_other_and_the_teeth(project: Project, basis: Basis) -> None:
     deep = depths_in(project, basis, MIXES)
     assert np.median(deep) < NOTHING_SEEN
-    assert np.sort(deep)[-2] < DEEPEST
-    assert deep.max() < CRUMPLED
+    assert deep.max() < DEEPEST
 
 
 @pytest.mark.parametrize("key", ["chen", "dayo"])
