@@ -14,7 +14,7 @@ import numpy as np
 
 from benchmarks.figure import Figure, alone, compared, interleaved
 from benchmarks.shapes import FIELDS, default_face, drawn, random_basis
-from facemodel.field_sum import add_field, sum_fields
+from facemodel.field_sum import FieldSum, add_field, sum_fields
 from facemodel.superposition import Superposition
 from fem.types import Float32Array, FloatArray
 
@@ -71,12 +71,8 @@ class _Steps:
         self._calls = 0
         # Of ones, since untouched zeros are one page of memory, however many there are.
         self._copy = np.ones(COPY // 4, dtype=np.float32), np.ones(COPY // 4, dtype=np.float32)
-        self._rests = tuple(np.ones(matrix.shape[1], dtype=np.float32) for matrix in self._matrices)
-        self._totals = tuple(np.empty_like(rest) for rest in self._rests)
-
-    @property
-    def _matrices(self) -> tuple[Float32Array, Float32Array]:
-        return self._posed.basis.fields, self._posed.basis.slopes
+        self._sums = tuple(_sum_of(matrix) for matrix in (posed.basis.fields, posed.basis.slopes))
+        self._weights = np.linspace(0.1, 1.0, FIELDS, dtype=np.float32)
 
     def named(self) -> dict[str, Callable[[], None]]:
         """The steps by name."""
@@ -94,15 +90,13 @@ class _Steps:
 
     def sum(self) -> None:
         """Superpose all fields and slopes."""
-        weights = np.linspace(0.1, 1.0, FIELDS, dtype=np.float32)
-        for total, rest, matrix in zip(self._totals, self._rests, self._matrices, strict=True):
-            sum_fields(total, rest, matrix, weights)
+        sum_fields(self._sums, self._weights)
 
     def add(self) -> None:
         """Add one field."""
         self._calls += 1
-        for total, matrix in zip(self._totals, self._matrices, strict=True):
-            add_field(total, matrix[self._calls % FIELDS], 0.01)
+        for total, _, fields in self._sums:
+            add_field(total, fields[self._calls % FIELDS], 0.01)
 
     def pose_all(self) -> None:
         """Pose with every weight changed, normals, lids and jaw included."""
@@ -116,6 +110,11 @@ class _Steps:
         weights = {name: 0.2 + 0.01 * k + step for k, name in enumerate(self._posed.basis.names)}
         weights[self._posed.basis.names[7]] += 0.3
         self._posed.pose(weights)
+
+
+def _sum_of(fields: Float32Array) -> FieldSum:
+    rest = np.ones(fields.shape[1], dtype=np.float32)
+    return FieldSum(np.empty_like(rest), rest, fields)
 
 
 def blender_python() -> str | None:

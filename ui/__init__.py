@@ -1,8 +1,8 @@
 """The editor and the headless renderer: the only package that knows Qt and VTK.
 
-It asks OpenBLAS for one thread, which must be done before NumPy is first imported.  A slider's sums are as fast as
-memory with one, where a second thread is waited for whenever the cores are busy, as while solving in the background;
-and the triangular solves of SuperLU, many small products, take three times as long with two.
+It asks OpenBLAS for one thread, which must be done before NumPy is first imported: a second one is waited for whenever
+the cores are busy, as while solving in the background, and the triangular solves of SuperLU, many small products, take
+three times as long with two.
 """
 
 import os
