@@ -10,7 +10,7 @@ import numpy as np
 
 from facemodel.displaced import MEMBRANE, displaced_columns, displaces
 from facemodel.face import Face
-from facemodel.jaw.lips import lead_lips
+from facemodel.jaw.leading import lead_skin
 from facemodel.jaw.modes import JawMode, mode_motion
 from facemodel.loads import bone_forces, jaw_forces
 from facemodel.mesh import Mesh
@@ -154,10 +154,10 @@ SOFTEST = 1e-6
 
 
 def jaw_columns(modes: Sequence[JawMode], face: Face, held: HeldFace) -> dict[Source, Column]:
-    """What whole modes of the jaw do to the skin: the pull of the tissue, and the forces that lead the lips along."""
+    """What whole modes of the jaw do to the skin: the pull of tissue, and the forces that lead lips and chin along."""
     if not modes:
         return {}
-    led = lead_lips(face, held, modes, [jaw_action(face, mode, held) for mode in modes])
+    led = lead_skin(face, held, modes, [jaw_action(face, mode, held) for mode in modes])
     return {
         mode: Column(led.actions[number], np.ascontiguousarray(led.coefficients[..., number]))
         for number, mode in enumerate(modes)
