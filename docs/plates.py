@@ -73,7 +73,7 @@ def unit_entry(
     made: Stage, project: Project, solution: Solution, unit: ActionUnit, reports: Mapping[str, Report]
 ) -> str:
     """The entry of an action unit."""
-    plate = draw(made, project, expand({str(unit.number): 1.0}, project.units), f"au-{unit.number:02d}")
+    plate = draw(made, project, unit.portrait, f"au-{unit.number:02d}")
     most = max((abs(weight) for weight in unit.muscles.values()), default=1.0)
     pulls = [f"{name.replace('_', ' ')} {weight / most:.2g}" for name, weight in unit.muscles.items()]
     if unit.jaw is not None:

@@ -36,6 +36,9 @@ EXAGGERATED = 2.0
 LETTERS = (0.1, 0.3, 0.5, 0.7, 0.9)
 """Weights at which the intensities A, B, C, D and E of FACS begin, where a unit has none of its own: even steps."""
 
+WINK = 46
+"""The FACS number of what is done with one eye."""
+
 Place = tuple[float, float]
 """Where on the pad, from 0 to 1 to the right and up."""
 
@@ -113,6 +116,11 @@ class ActionUnit:
     def full(self) -> dict[str, float]:
         """Weights that show all of it: both sides at 1, or the left one where they undo each other."""
         return dict.fromkeys(self.fields[:1] if self.opposed else self.fields, 1.0)
+
+    @property
+    def portrait(self) -> dict[str, float]:
+        """Weights under which a picture shows it: all of it, but a wink with one eye, or it were a blink."""
+        return dict.fromkeys(self.fields[:1], 1.0) if self.number == WINK else self.full
 
     @property
     def moves_skin(self) -> bool:

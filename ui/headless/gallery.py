@@ -54,11 +54,10 @@ def gallery(project: Project, solution: Solution) -> ByteArray:
 
 
 def _unit(made: Stage, project: Project, solution: Solution, unit: ActionUnit) -> Entry:
-    expression = expand({str(unit.number): 1.0}, project.units)
     peak = max((solution.basis.peak(name) for name in unit.fields if name in solution.basis.index), default=0.0)
     name = unit.name[:1].upper() + unit.name[1:]
     note = f"{GROUP_TITLES[unit.group]}, {peak:.1f} mm" if unit.moves_skin else motion_words(unit).capitalize()
-    return Entry(_pair(made, project, expression), str(unit.number), name, note)
+    return Entry(_pair(made, project, unit.portrait), str(unit.number), name, note)
 
 
 def _emotion(made: Stage, project: Project, emotion: Emotion) -> Entry:
