@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from facemodel.face import Face
+from facemodel.jaw import opening
 from facemodel.superposition import Superposition
 
 AGAINST = -0.2
@@ -16,16 +17,8 @@ LEAST_AREA = 1e-3
 
 
 def incisors_apart(face: Face, posed: Superposition) -> float:
-    """Millimetres between the edges of the upper and the lower incisors."""
-    edges = []
-    for part in face.parts:
-        if part.kind == "teeth":
-            rest, now = part.mesh.positions, posed.parts[part.name]
-            front = np.flatnonzero((np.abs(rest[:, 0]) < 6.0) & (rest[:, 2] > rest[:, 2].max() - 6.0))
-            height = rest[front, 1] if part.carrier == "jaw" else -rest[front, 1]
-            edges.append(now[front[height.argmax()]])
-    upper, lower = edges
-    return float(np.linalg.norm(upper - lower))
+    """Millimetres between the edges of the upper and the lower incisors of a posed face."""
+    return opening.incisors_apart(face, lambda row: posed.parts[row.name])
 
 
 def folded(posed: Superposition) -> int:

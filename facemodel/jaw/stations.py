@@ -20,7 +20,7 @@ NEAR_STATION = 0.15
 PATCH = 0.35
 """Share of half a lip over which the force of a station fades along it."""
 
-FULL, FADED = 4.0, 18.0
+FULL, FADED = 4.0, 14.0
 """Millimetres from the edge of a lip within which a force is whole and beyond which there is none: over the red of
 the lip and the skin that lies on the same muscle."""
 
@@ -33,8 +33,9 @@ UPPER_MIDDLE = 0.07
 NARROWING = 0.2
 """How far the corners come together, as a share of how far they go down."""
 
-CHIN_LINE = ("chin_lip_fold", "pogonion", "menton")
-"""Landmarks down the middle of the chin, whose skin is grown to the bone by mentalis: it goes all of the jaw's way."""
+CHIN_LINE = {"lower_vermilion": 0.94, "chin_lip_fold": 0.98, "pogonion": 0.98, "menton": 0.95}
+"""Landmarks from the red of the lip down the middle of the chin, whose skin is grown to the bone by mentalis, and the
+share of the jaw's way that they go."""
 
 CHIN_SIDES = {"pogonion": ((0.35, 0.93), (0.6, 0.78)), "chin_lip_fold": ((0.35, 0.88), (0.6, 0.67))}
 """Beside two of them, as high: how far towards the second molar, and the share of the jaw's way that the skin goes
@@ -106,7 +107,7 @@ def chin_stations(face: Face, mouth: Slit | None, vertices: IntArray) -> list[St
     if not {*CHIN_LINE, "lower_lip_mid", *molars} <= marks.keys():
         return []
     below = _below_the_mouth(face, mouth)[vertices]
-    stations = [_on_chin(skin[marks[name]], 1.0, (1, 2), skin[vertices], below) for name in CHIN_LINE]
+    stations = [_on_chin(skin[marks[name]], share, (1, 2), skin[vertices], below) for name, share in CHIN_LINE.items()]
     for name, sides in CHIN_SIDES.items():
         middle = skin[marks[name]]
         for molar in molars:

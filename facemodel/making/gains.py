@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from scipy.optimize import brentq
 
 from facemodel.actions import ActionUnit, skin_units
 from facemodel.atlas import Atlas
 from facemodel.basis import Basis
 from facemodel.face import Face
 from facemodel.facs import action_units
+from facemodel.jaw.opening import opened
 from facemodel.muscles import Muscle
 from facemodel.project import Project, Settings
 from facemodel.solve import solve_project
@@ -22,8 +24,8 @@ or three."""
 LARGEST_TURN = 34.0
 """Degrees; a jaw opens no farther, however much the skin of the chin lags behind it."""
 
-OPEN_WIDE = 33.05
-"""Degrees that the mouth stretch turns the jaw at least, for 40 mm between the incisors, the lower end of the norm."""
+OPEN_WIDE = 40.1
+"""Millimetres between the incisors to which the mouth stretch opens, just above the lower end of the norm of adults."""
 
 WIDER = 1.14
 """How far beyond the table's amplitude of the chin it may go for that."""
@@ -44,9 +46,17 @@ def find_gains(face: Face, muscles: tuple[Muscle, ...]) -> Atlas:
         atlas = replace(atlas, gains=gains)
         if all(abs(factor - 1) < CLOSE for factor in wrong.values()):
             break
-    least = atlas.gains[STRETCH]
-    stretched = min(max(least, OPEN_WIDE / _degrees(STRETCH)), WIDER * least)
+    stretched = min(max(atlas.gains[STRETCH], _wide_open(face)), WIDER * atlas.gains[STRETCH])
     return replace(atlas, gains={**atlas.gains, STRETCH: stretched})
+
+
+def _wide_open(face: Face) -> float:
+    """The gain of the mouth stretch that opens a face wide, or as far as a jaw goes."""
+    jaw = next(unit.jaw for unit in action_units() if unit.number == STRETCH and unit.jaw)
+    if opened(face, LARGEST_TURN, jaw.slide) < OPEN_WIDE:
+        return LARGEST_TURN / jaw.degrees
+    most = LARGEST_TURN / jaw.degrees
+    return float(brentq(lambda gain: opened(face, gain * jaw.degrees, jaw.slide) - OPEN_WIDE, 0.0, most))
 
 
 def _factor(basis: Basis, unit: ActionUnit) -> float:
