@@ -12,7 +12,7 @@ from typing import Literal
 from facemodel.muscles.muscle import Model
 
 Layer = Literal["stretching", "bending", "bending_across", "stiffness", "sliding", "volume"]
-Around = Literal["eye", "lids", "eyeball", "mouth", "cheek"]
+Around = Literal["eye", "lids", "eyeball", "mouth", "lips", "cheek"]
 Sector = Literal["whole", "above", "below", "half"]
 
 Offset = tuple[float, float, float]

@@ -13,13 +13,14 @@ from facemodel.muscles.muscle import MuscleSide
 from fem.types import FloatArray
 
 UP = np.array([0.0, 1.0, 0.0])
+ABOUT_MOUTH = ("mouth", "lips")
 
 
 def laid_rings(ring: Ring, place: Placement, eyes: tuple[Eye, Eye]) -> list[Muscle]:
     """A ring on a head: one about each eye, or one or two halves about the mouth."""
     if ring.around == "cheek":
         return [_muscle(ring, eye.side, _about_cheek(ring, place, eye.side), place.scale) for eye in eyes]
-    if ring.around != "mouth":
+    if ring.around not in ABOUT_MOUTH:
         return [_muscle(ring, eye.side, _about_eye(ring, place, eye), place.scale) for eye in eyes]
     whole = _about_mouth(ring, place)
     if ring.sector != "half":
@@ -70,10 +71,16 @@ def _about_cheek(ring: Ring, place: Placement, side: str) -> Sphincter:
 
 
 def _about_mouth(ring: Ring, place: Placement) -> Sphincter:
+    """A ring between the corners of the mouth.
+
+    About the ``mouth`` it lies as deep as these, about the ``lips`` as far before them as the lips stand, which people
+    differ in by half: what pushes lips must find them.
+    """
     left, right = (place.on_skin(Spot("mouth_corner"), side) for side in ("L", "R"))
     upper, lower = (place.on_skin(Spot(name), "L") for name in ("upper_vermilion", "lower_vermilion"))
     middle = (left + right) / 2
-    centre = np.array([middle[0], (upper[1] + lower[1]) / 2, middle[2]])
+    lips = (upper + lower) / 2
+    centre = np.array([middle[0], lips[1], lips[2] if ring.around == "lips" else middle[2]])
     return _ring(ring, place, centre, (left - right) / 2, abs(upper[1] - lower[1]) / 2, "L")
 
 
