@@ -263,6 +263,14 @@ def test_real_recordings_play_on_a_face(name: str) -> None:
     assert len(capture.notes) >= 1
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_number_beyond_all_measure_is_held_at_the_end_of_its_range() -> None:
+    capture = read_plain(b"time,1L\n0,0.5\n1,1e300\n", UNITS)
+    assert np.isfinite(capture.values).all()
+    (track,) = mapped(capture, default_mapping("plain"), UNITS).tracks
+    assert track.captured.values == pytest.approx([0.5, 2.0])  # type: ignore[union-attr]
+
+
 def test_rows_of_a_table_have_gains_offsets_caps_and_are_summed() -> None:
     values = np.array([[0.0, 1.0], [0.5, 1.0], [1.0, 1.0]], dtype=np.float32)
     capture = Capture("arkit", ("JawOpen", "MouthSmileLeft"), values, 30.0, 2.0)

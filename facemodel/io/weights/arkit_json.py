@@ -13,7 +13,7 @@ from facemodel.animation.capture import Capture
 from facemodel.io.damage import DamageError
 from facemodel.io.weights.names import live_link_name
 from facemodel.io.weights.table import decoded
-from facemodel.io.weights.timing import even
+from facemodel.io.weights.timing import even, kept
 from fem.types import FloatArray
 
 Frame = Mapping[str, float]
@@ -48,8 +48,7 @@ def read_arkit_json(data: bytes, rate: float | None = None) -> Capture:
         raise DamageError("the file", "names no blend shape of ARKit such as jawOpen", AGAIN)
     chosen = values[:, [k for k, _ in known]]
     found = even(None if rate else times, chosen, range(1, len(values) + 1), own if times is None or rate else None)
-    kept = np.nan_to_num(found.values).astype(np.float32)
-    return Capture("arkit", tuple(name for _, name in known), kept, found.rate, 0.0, found.notes)
+    return Capture("arkit", tuple(name for _, name in known), kept(found.values), found.rate, 0.0, found.notes)
 
 
 Found = tuple[list[str], FloatArray, FloatArray | None]

@@ -11,7 +11,7 @@ from facemodel.animation.capture import Capture
 from facemodel.io.damage import DamageError
 from facemodel.io.weights.names import ARKIT, live_link_name
 from facemodel.io.weights.table import CORRECT, Table, read_table
-from facemodel.io.weights.timing import even
+from facemodel.io.weights.timing import even, kept
 from fem.types import FloatArray
 
 TIMECODE = re.compile(r"(\d{1,3}):(\d{1,2}):(\d{1,2})[:;](\d{1,3})(\.\d+)?")
@@ -56,9 +56,8 @@ def read_live_link(data: bytes, rate: float | None = None) -> Capture:
         notes.append(
             f"{len(missing)} of ARKit’s 52 channels are not in it: {', '.join(missing[:5])}{'…' * (len(missing) > 5)}"
         )
-    kept = np.nan_to_num(found.values).astype(np.float32)
     kind = "live-link" if codes else "arkit"
-    return Capture(kind, tuple(spelled), kept, found.rate, 0.0, (*notes, *found.notes))  # type: ignore[arg-type]
+    return Capture(kind, tuple(spelled), kept(found.values), found.rate, 0.0, (*notes, *found.notes))  # type: ignore[arg-type]
 
 
 def _column(column: FloatArray | None) -> FloatArray:

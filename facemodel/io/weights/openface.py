@@ -9,7 +9,7 @@ import numpy as np
 from facemodel.animation.capture import Capture
 from facemodel.io.damage import DamageError
 from facemodel.io.weights.table import Table, read_table
-from facemodel.io.weights.timing import even
+from facemodel.io.weights.timing import even, kept
 from fem.types import FloatArray
 
 INTENSITY = re.compile(r"AU\d\d_r", re.IGNORECASE)
@@ -54,7 +54,7 @@ def read_openface(data: bytes, rate: float | None = None) -> Capture:
     return Capture(
         "openface",
         tuple(columns),
-        np.nan_to_num(found.values).astype(np.float32),
+        kept(found.values),
         found.rate,
         0.0,
         (*table.notes, *notes, *found.notes),

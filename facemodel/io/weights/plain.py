@@ -12,7 +12,7 @@ from facemodel.animation.channels import RIGID
 from facemodel.errors import UnknownNameError
 from facemodel.io.damage import DamageError
 from facemodel.io.weights.table import read_table
-from facemodel.io.weights.timing import even
+from facemodel.io.weights.timing import even, kept
 
 TIMES = ("time", "seconds", "timestamp", "t")
 FRAMES = ("frame", "frames")
@@ -44,8 +44,9 @@ def read_plain(data: bytes, units: Sequence[ActionUnit], rate: float | None = No
     channels = [field for name in known for field in fields[name]]
     values = np.stack([table.values[:, at[name]] for name in known for _ in fields[name]], axis=1)
     found = even(table.column(*TIMES), values, table.lines, rate)
-    kept = np.nan_to_num(found.values).astype(np.float32)
-    return Capture("plain", tuple(channels), kept, found.rate, found.start, (*table.notes, *notes, *found.notes))
+    return Capture(
+        "plain", tuple(channels), kept(found.values), found.rate, found.start, (*table.notes, *notes, *found.notes)
+    )
 
 
 def _fields(name: str, units: Sequence[ActionUnit]) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from facemodel.io.damage import DamageError
-from fem.types import FloatArray
+from fem.types import Float32Array, FloatArray
 
 FASTEST_CAMERA = 250.0
 """Frames per second; no tracker of faces runs faster, so stamps closer than that are no seconds."""
@@ -29,6 +29,9 @@ NEAR = 0.004
 SLOT = 0.4
 """Of a frame: how far a stamp may be from its even place and still be that frame."""
 
+LARGEST = float(np.finfo(np.float32).max)
+"""What a capture can hold; a table may say more."""
+
 
 @dataclass(frozen=True, eq=False)
 class Even:
@@ -46,6 +49,11 @@ class Even:
     rate: float
     start: float
     notes: tuple[str, ...]
+
+
+def kept(values: FloatArray) -> Float32Array:
+    """Numbers as captures have them: 0 where none is known, and none too large to be told from infinity."""
+    return np.clip(np.nan_to_num(values), -LARGEST, LARGEST).astype(np.float32)
 
 
 def even(times: FloatArray | None, values: FloatArray, lines: Sequence[int], rate: float | None) -> Even:
