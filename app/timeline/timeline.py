@@ -103,6 +103,9 @@ class Timeline:
 class LiveChange:
     """One gesture on the animation: every state of it is seen at once, and all together are one step.
 
+    Once somebody else has changed the animation, by a key in the middle of a drag say, the gesture is over: what it
+    would go on to is made of what is no more.
+
     Parameters
     ----------
     timeline : what is worked on
@@ -117,14 +120,16 @@ class LiveChange:
     def __init__(self, timeline: Timeline, label: str) -> None:
         timeline.document.commit()
         self.timeline = timeline
-        self.base = timeline.animation
+        self.base = self._stands = timeline.animation
         self.chosen = timeline.chosen
         self._label = label
         self._gesture = f"timeline {next(GESTURES)}"
 
     def show(self, after: Animation, chosen: Chosen | None = None) -> None:
-        """Go to another state of the gesture."""
-        self.timeline.edit(after, self._label, self._gesture, chosen)
+        """Go to another state of the gesture; nothing if it is over."""
+        if self.timeline.animation is self._stands:
+            self.timeline.edit(after, self._label, self._gesture, chosen)
+            self._stands = self.timeline.animation
 
     def cancel(self) -> None:
         """All is as it was before the gesture."""

@@ -17,6 +17,7 @@ from app.timeline.gestures.speech import DragBound
 from app.timeline.gestures.time import DragPlayed, DragRange, Scrub
 from app.timeline.gestures.values import DragValue
 from app.timeline.timeline import Timeline
+from facemodel.animation.clip import Animation
 from facemodel.animation.editing.selection import curve_of_row
 from facemodel.sameness import same
 
@@ -243,3 +244,15 @@ def test_a_box_chooses_adds_and_takes_out(timeline: Timeline) -> None:
     other.cancel()
     assert timeline.chosen.keys == {("12L", 0): (2,), ("17", 0): (0,)}
     assert boxes[-1] is None
+
+
+def test_a_gesture_is_over_once_the_animation_is_changed_by_something_else(
+    timeline: Timeline, document: Document, begin
+) -> None:
+    gesture = begin(timeline)
+    gesture.move(AWAY)
+    timeline.edit(Animation(), "Empty it")
+    gesture.move(Spot(1.9, 0.2, x=20.0, y=10.0))
+    gesture.release(AWAY)
+    assert same(timeline.animation, Animation())
+    assert document.history.done[-1] == "Empty it"
