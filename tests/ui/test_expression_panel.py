@@ -181,6 +181,13 @@ def test_the_strength_bar_scales_the_emotion_that_is_on(panel, document):
     assert panel.emotions.buttons["happiness"].strength == pytest.approx(0.5, abs=0.01)
 
 
+def test_the_strength_bar_names_no_emotion_while_another_bar_is_dragged(panel, document):
+    strength = panel.emotions.strength
+    for release in (False, True):
+        drag(panel.rows[17].slider, 0.1, 0.6, release=release)
+        assert strength.label == "Strength"
+
+
 def test_an_emotion_with_anything_else_is_no_longer_that_emotion():
     happiness = {"12L": 0.9, "12R": 0.9}
     assert shown_strength({"12L": 0.45, "12R": 0.45}, happiness) == pytest.approx(0.5)

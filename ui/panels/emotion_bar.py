@@ -80,7 +80,8 @@ class EmotionBar(QWidget):
         held = self.strength.held or self._document.held
         if not held:
             self.strength.setEnabled(on > 0)
-        self.strength.label = f"{self._active.capitalize()} strength" if on > 0 or held else "Strength"
+        named = on > 0 or self.strength.held
+        self.strength.label = f"{self._active.capitalize()} strength" if named else "Strength"
         self.strength.set_weight(on)
 
     def _show_portrait(self, name: str) -> None:
