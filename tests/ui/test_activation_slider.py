@@ -4,11 +4,12 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
 from tests.ui.hands import drag
 from ui.widgets.activation_slider import ActivationSlider
 
+LEFT = Qt.MouseButton.LeftButton
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
 
@@ -122,6 +123,27 @@ def test_a_double_click_takes_arithmetic(slider, heard, typed, weight):
     QTest.keyClick(edit, Qt.Key.Key_Return)
     assert slider.weight == pytest.approx(weight)
     assert heard.ends == ["committed"]
+
+
+def test_the_keyboard_goes_where_it_is_asked_to_when_a_number_is_left(shown):
+    both = QWidget()
+    slider, other = ActivationSlider("Lip corner puller"), QLineEdit()
+    column = QVBoxLayout(both)
+    column.addWidget(slider)
+    column.addWidget(other)
+    shown(both)
+    for typed, leave in (
+        ("0.4", lambda _: QTest.mouseClick(other, LEFT)),
+        ("oops", lambda _: QTest.mouseClick(other, LEFT)),
+        ("0.6", lambda edit: QTest.keyClick(edit, Qt.Key.Key_Tab)),
+    ):
+        slider.setFocus()
+        QTest.keyClick(slider, Qt.Key.Key_Return)
+        edit = both.focusWidget()
+        QTest.keyClicks(edit, typed)
+        leave(edit)
+        assert both.focusWidget() is other
+    assert slider.weight == pytest.approx(0.6)
 
 
 def test_nonsense_stays_open_and_escape_leaves_the_weight(slider, heard):

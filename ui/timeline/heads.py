@@ -233,9 +233,7 @@ class Heads(QWidget):
     def _close_editor(self) -> None:
         editor, self._editor = self._editor, None
         if editor is not None:
-            editor.hide()
-            editor.deleteLater()
-            self.setFocus(Qt.FocusReason.OtherFocusReason)
+            editor.go_away()
 
     def _revalue(self, _now: object) -> None:
         """Other values are seen: nothing but their column is drawn anew."""

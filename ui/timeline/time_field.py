@@ -137,5 +137,4 @@ class TimeField(QWidget):
     def _close(self) -> None:
         editor, self._editor = self._editor, None
         if editor is not None:
-            editor.hide()
-            editor.deleteLater()
+            editor.go_away()

@@ -160,6 +160,4 @@ class BarHands:
     def _close_editor(self) -> None:
         editor, self._editor = self._editor, None
         if editor is not None:
-            editor.hide()
-            editor.deleteLater()
-            self.setFocus(Qt.FocusReason.OtherFocusReason)
+            editor.go_away()

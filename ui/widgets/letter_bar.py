@@ -198,9 +198,7 @@ class LetterBar(QWidget):
     def _close_editor(self) -> None:
         editor, self._editor = self._editor, None
         if editor is not None:
-            editor.hide()
-            editor.deleteLater()
-            self.setFocus(Qt.FocusReason.OtherFocusReason)
+            editor.go_away()
 
     def _finish_steps(self) -> None:
         if self._stepping:

@@ -37,6 +37,7 @@ class NumberEdit(QLineEdit):
         self.setAccessibleName("Number or sum")
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setGeometry(parent.rect())
+        QWidget.setTabOrder(parent, self)
         self.textEdited.connect(self._forgive)
         self.selectAll()
         self.show()
@@ -60,6 +61,13 @@ class NumberEdit(QLineEdit):
         if not self._done:
             self._done = True
             self.dismissed.emit()
+
+    def go_away(self) -> None:
+        """Vanish; the keyboard goes back to the control, unless it is somewhere else by now."""
+        if self.window().focusWidget() is self:
+            self.parentWidget().setFocus(Qt.FocusReason.OtherFocusReason)
+        self.hide()
+        self.deleteLater()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter reports and Esc leaves; everything else is typing."""
