@@ -52,7 +52,7 @@ class Playhead:
         document.animation_changed.connect(self._follow)
         document.units_changed.connect(self._follow)
         document.project_changed.connect(self._begin)
-        self._show()
+        self.show()
 
     @property
     def time(self) -> float:
@@ -117,6 +117,15 @@ class Playhead:
     def pause(self) -> None:
         """Stand still where it is."""
         self._set_playing(False)
+
+    def show(self) -> None:
+        """Show what the face does now, whatever was shown in the meantime."""
+        before = self._pose
+        self._pose = self._evaluator.pose(self._time)
+        fields = set(field_names(self._document.project.units))
+        self._document.play({name: weight for name, weight in self._pose.weights.items() if name in fields})
+        if self._pose != before:
+            self.posed.emit(self._pose)
 
     def tick(self) -> bool:
         """Show the frame that is due now, if it is another one; whether it still plays.
@@ -207,23 +216,15 @@ class Playhead:
 
     def _follow(self) -> None:
         self._evaluator = self._made()
-        self._show()
+        self.show()
 
     def _stand(self, seconds: float) -> None:
         """Stand at a time, kept or new."""
         self._frame = frame_of(seconds, self._animation.rate)
         if seconds != self._time:
             self._time = seconds
-            self._show()
+            self.show()
             self.moved.emit(seconds)
-
-    def _show(self) -> None:
-        before = self._pose
-        self._pose = self._evaluator.pose(self._time)
-        fields = set(field_names(self._document.project.units))
-        self._document.play({name: weight for name, weight in self._pose.weights.items() if name in fields})
-        if self._pose != before:
-            self.posed.emit(self._pose)
 
     def _set_playing(self, on: bool) -> None:
         if on != self._playing:

@@ -44,6 +44,7 @@ class TimelineDialogs:
         self._parent, self._timeline, self._context, self._shelf = parent, timeline, context, shelf
         self._unfold = unfold
         self._speech: SpeechPage | None = None
+        self._visemes: VisemePage | None = None
 
     def map_capture(self, capture: Capture, path: Path, again: Again) -> None:
         """Show how the channels of a capture become those of the face, and take it in when that is settled."""
@@ -71,8 +72,17 @@ class TimelineDialogs:
             self._context.host.show_message(" ".join(page.notes))
 
     def edit_visemes(self) -> None:
-        """Let it be changed what sounds look like."""
-        VisemePage(self._parent, self._timeline).exec()
+        """Let it be changed what sounds look like, beside the face and the timeline."""
+        if self._visemes is None:
+            self._visemes = VisemePage(self._parent, self._timeline)
+            self._visemes.finished.connect(self._edited)
+            self._visemes.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._visemes.show()
+        self._visemes.raise_()
+        self._visemes.activateWindow()
+
+    def _edited(self, _how: int) -> None:
+        self._visemes = None
 
     def _ask_voice(self) -> Path | None:
         start = folder(self._context) / f"voice{WAV}"
