@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+import pyvista as pv
 
 from app.view_state import ViewState
 from facemodel.sampling import points_of_vertices
@@ -44,6 +45,12 @@ def mark(name: str, up: float = 0.0, left: float = 0.0) -> np.ndarray:
     """A landmark, or a place some millimetres above it or to the subject's left of it."""
     face = sitter()[0].face
     return face.skin.positions[face.landmarks[name]] + np.array([left, up, 0.0])
+
+
+def test_nothing_is_looked_for_that_is_out_of_the_picture() -> None:
+    plotter = pv.Plotter(off_screen=True)
+    assert Scene(plotter).renderer.GetCullers().GetNumberOfItems() == 0
+    plotter.close()
 
 
 def test_pupils_are_dark_and_the_white_beside_them_is_bright(scene: Scene) -> None:

@@ -73,13 +73,16 @@ def face_frame(face: Face) -> Frame:
 def reach(renderer: vtkRenderer, box: FloatArray) -> None:
     """Let the camera see from before to behind all that is drawn with a head that fills a box (2, 3) at rest.
 
-    Otherwise that would be found from every point anew whenever one moves, and again to leave out what is not in the
-    picture.
+    Otherwise that would be found from every point anew whenever one moves.
     """
     low, high = box
     middle, far = (low + high) / 2, AROUND * float(np.linalg.norm(high - low)) / 2
-    renderer.GetCullers().RemoveAllItems()
     renderer.ResetCameraClippingRange([float(side) for at in middle for side in (at - far, at + far)])
+
+
+def draw_all(renderer: vtkRenderer) -> None:
+    """Leave out nothing that is not in the picture: to find out what would take longer than to draw it."""
+    renderer.GetCullers().RemoveAllItems()
 
 
 def direction(azimuth: float, elevation: float) -> FloatArray:

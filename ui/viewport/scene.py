@@ -28,6 +28,7 @@ from ui.viewport.camera import (
     DIRECTIONS,
     Frame,
     aspect_of,
+    draw_all,
     head_frame,
     level,
     look_closely,
@@ -97,6 +98,7 @@ class Scene:
         plotter.camera_set = True
         light(self.renderer)
         self.renderer.SetUseOIT(False)
+        draw_all(self.renderer)
         self.dress(theme)
 
     def dress(self, theme: str) -> None:
@@ -287,9 +289,7 @@ class Scene:
         return bool(getattr(self.state, name)) and not (name == "influence" and self.coat is not None)
 
     def _switch(self, overlay: Overlay, on: bool, rebuild: bool) -> None:
-        if self._drawn is None:
-            return
-        if on and (rebuild or not overlay.shown):
+        if on and self._drawn is not None and (rebuild or not overlay.shown):
             overlay.show(self._drawn)
         elif not on and overlay.shown:
             overlay.hide()
