@@ -213,7 +213,7 @@ def find_emotion(name: str, emotions: Sequence[Emotion]) -> Emotion:
         If there is none.
     """
     for emotion in emotions:
-        if emotion.name.lower() == name.strip().lower():
+        if emotion.name.strip().lower() == name.strip().lower():
             return emotion
     known = ", ".join(e.name for e in emotions)
     raise UnknownNameError(f"There is no emotion “{name}”; choose one of {known}.")

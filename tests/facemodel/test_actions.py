@@ -98,6 +98,11 @@ def test_emotions_are_found_whatever_their_case_and_are_made_of_known_units() ->
         assert emotion.title[0].isupper()
 
 
+def test_an_emotion_is_found_by_a_name_with_blanks_around_it_as_files_may_have_them() -> None:
+    joy = Emotion("joy ", {"12": 1.0})
+    assert find_emotion(joy.name, (joy,)) is joy
+
+
 def test_an_unknown_emotion_is_answered_with_those_there_are() -> None:
     with pytest.raises(UnknownNameError, match=r"no emotion “glee”; choose one of joy, awe"):
         find_emotion("glee", (Emotion("joy"), Emotion("awe")))
