@@ -56,7 +56,7 @@ class DocumentState(DocumentSignals):
     @property
     def name(self) -> str:
         """What people call it: its file's name, or that it has none yet."""
-        return self._path.stem if self._path else f"Untitled ({self._project.face.title})"
+        return self._path.stem if self._path else f"Untitled, {self._project.face.title}"
 
     @property
     def history(self) -> History:

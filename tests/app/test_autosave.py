@@ -77,7 +77,7 @@ def test_a_killed_session_can_be_brought_back_as_it_was_last(repository: Path, f
         session.kill()
         rest = session.stdout.read()
     (entry,) = recoverable(folder)
-    assert entry.name == "Untitled (Patch)"
+    assert entry.name == "Untitled, Patch"
     last_heard = [said, *map(float, rest.split())][-1]
     assert entry.when.timestamp() >= last_heard
     project = read_back(entry)

@@ -79,7 +79,7 @@ def test_unsaved_changes_are_asked_about(
     desk.answer, desk.path = answer, file
     context.document.preview({"17": 0.5})
     assert may_leave(context) is leaves
-    assert desk.questions[0] == "Untitled (Patch)"
+    assert desk.questions[0] == "Untitled, Patch"
     assert file.exists() == bool(saved)
     assert context.document.shown == {"17": 0.5}
 
