@@ -29,7 +29,19 @@ class SolveNote(QLabel):
             solution = document.solution
             took = "" if solution is None else f" in {sum(solution.seconds.values()):.1f} s"
             self.setText(f"The face shows what is painted, solved{took}.")
-        elif self._solving.job.running:
-            self.setText(f"Solving; {stale} fields are those from before the last step until then.")
         else:
-            self.setText(f"{stale} fields are not solved for what is painted; F5 solves them.")
+            self.setText(told(stale, self._solving.job.running))
+
+
+def told(stale: int, solving: bool) -> str:
+    """What is said while some fields are not those of the paint.
+
+    Parameters
+    ----------
+    stale : how many
+    solving : whether they are being solved
+    """
+    fields, them = ("1 field", "it") if stale == 1 else (f"{stale} fields", "them")
+    if solving:
+        return f"Solving; until then {fields} {'is' if stale == 1 else 'are'} as before the last step."
+    return f"{fields} {'is' if stale == 1 else 'are'} not solved for what is painted; F5 solves {them}."
