@@ -179,3 +179,8 @@ def test_closing_the_window_asks_and_then_ends_an_export(
     assert said == ["“smile.mp4” is still being exported."] * 2
     assert not page.isVisible()
     qtbot.waitUntil(lambda: exported(tmp_path) == [])
+
+
+def test_a_name_without_its_folder_is_asked_for_in_words(page: ExportPage) -> None:
+    page.place.setText("smile.mp4")
+    assert "with its folder" in page.problem()

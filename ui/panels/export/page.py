@@ -110,7 +110,9 @@ class ExportPage(QDialog):
         order = self.order
         if not self.place.text().strip() or order.out.suffix.lower() != self.chosen.suffix:
             return f"Name a file that ends in {self.chosen.suffix}."
-        if not order.out.is_absolute() or not order.out.parent.is_dir():
+        if not order.out.is_absolute():
+            return "Name the file with its folder, from the first one on, or choose it with “Browse”."
+        if not order.out.parent.is_dir():
             return f"There is no folder “{order.out.parent}”."
         if order.film.span is not None and order.film.span[1] <= order.film.span[0]:
             return "The range is empty; let it end after its begin."
