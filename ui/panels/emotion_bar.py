@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
+
 from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from app.document import Document
@@ -95,7 +97,7 @@ class EmotionBar(QWidget):
         button.setAccessibleName(emotion.title)
         button.set_picture(self._portraits.picture(emotion.name))
         recipe = " + ".join(name for name in emotion.weights)
-        button.setToolTip(f"{emotion.title}: {recipe}<br>Click for all of it, drag across for less")
+        button.setToolTip(f"{escape(f'{emotion.title}: {recipe}')}<br>Click for all of it, drag across for less")
         button.previewed.connect(lambda strength: self._preview(emotion.name, strength))
         button.committed.connect(self._commit)
         button.cancelled.connect(lambda: self._document.cancel_preview())

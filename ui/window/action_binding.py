@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from html import escape
 
 from psygnal import SignalInstance
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -113,7 +114,8 @@ class ActionBinding(QObject):
         shown.setShortcuts([QKeySequence(key) for key in shortcuts_of(action, self._context.settings.preferences)])
         shown.setStatusTip(action.hint)
         keys = self.keys(action)
-        shown.setToolTip(f"<b>{action.title.rstrip('…')}</b>{f' ({keys})' if keys else ''}<br>{action.hint}")
+        title = escape(action.title.rstrip("…"))
+        shown.setToolTip(f"<b>{title}</b>{f' ({escape(keys)})' if keys else ''}<br>{escape(action.hint)}")
 
     def _state_changed(self) -> None:
         if not self._state_timer.isActive():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from app.actions.context import Answer, FileQuestion
@@ -23,6 +24,7 @@ def ask_path(parent: QWidget, question: FileQuestion) -> Path | None:
 def ask_unsaved(parent: QWidget, name: str) -> Answer:
     """What to do with unsaved changes."""
     box = QMessageBox(parent)
+    box.setTextFormat(Qt.TextFormat.PlainText)
     box.setWindowTitle("Unsaved changes")
     box.setIcon(QMessageBox.Icon.NoIcon)
     box.setText(f"“{name}” has changes that are not saved.")
@@ -37,6 +39,7 @@ def ask_unsaved(parent: QWidget, name: str) -> Answer:
 def ask_stop(parent: QWidget, name: str) -> bool:
     """Whether an export that is under way may be stopped."""
     box = QMessageBox(parent)
+    box.setTextFormat(Qt.TextFormat.PlainText)
     box.setWindowTitle("Export under way")
     box.setIcon(QMessageBox.Icon.NoIcon)
     box.setText(f"“{name}” is still being exported.")
@@ -51,6 +54,7 @@ def ask_stop(parent: QWidget, name: str) -> bool:
 def show_error(parent: QWidget, sentence: str, details: str = "") -> None:
     """One sentence that says what went wrong, where, and what to do about it."""
     box = QMessageBox(parent)
+    box.setTextFormat(Qt.TextFormat.PlainText)
     box.setWindowTitle("Risorius")
     box.setIcon(QMessageBox.Icon.Warning)
     box.setText(sentence)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PIL import Image
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
@@ -155,3 +155,16 @@ def test_it_shows_chart_and_solution(window, document):
     assert f"{document.solution.chart.worst:.2f}" in words
     assert document.project.face.title in words
     assert document.project.face.provenance in words
+
+
+def test_what_an_error_names_is_shown_as_it_is_written(window, qtbot):
+    shown = []
+
+    def look():
+        box = QApplication.activeModalWidget()
+        shown.append(box.textFormat())
+        box.button(Button.Ok).click()
+
+    QTimer.singleShot(50, look)
+    window.context.host.show_error("“<b>smile</b>.risorius” cannot be opened.")
+    assert shown == [Qt.TextFormat.PlainText]

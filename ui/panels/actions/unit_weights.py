@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from html import escape
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
@@ -125,7 +126,9 @@ class UnitWeights(QWidget):
     def _weight_row(self, unit: ActionUnit, name: str, muscle: Muscle | None, titles: Mapping[str, str]) -> QWidget:
         scale = weight_scale(unit, muscle) if muscle is not None else NumberScale(0.0, USUAL_MOST, 0.0)
         bar = self._make_bar(titles.get(name, name), scale, partial(_weighed, muscle=name))
-        bar.setToolTip(f"{titles.get(name, name)}: times its strength at 1<br>Drag · double-click types · Shift finer")
+        bar.setToolTip(
+            f"{escape(titles.get(name, name))}: times its strength at 1<br>Drag · double-click types · Shift finer"
+        )
         keys = frozenset(each.key for each in self._context.document.project.muscles if each.name == name)
         bar.hovered.connect(lambda inside: self.hovered.emit(keys if inside else frozenset()))
         remove = QToolButton()
