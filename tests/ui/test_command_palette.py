@@ -2,9 +2,11 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
+from ui.theme.metrics import ROW
 from ui.widgets.command_palette import CommandPalette, PaletteEntry
 
 ENTRIES = (
@@ -80,3 +82,16 @@ def test_nothing_that_matches_runs_nothing(palette, ran):
 
 def test_it_lies_inside_its_window(palette):
     assert palette.parentWidget().rect().contains(palette.geometry())
+
+
+def test_a_long_title_ends_before_the_section_and_the_keys(palette):
+    def drawn(title: str) -> tuple[QImage, QImage]:
+        palette._rank = lambda _text: [PaletteEntry(title, "Muscle", "Ctrl+K")]
+        palette.line.setText(title)
+        picture = palette.list.viewport().grab().toImage()
+        wide = picture.width()
+        return picture.copy(0, 0, wide // 2, ROW), picture.copy(wide - 120, 0, 120, ROW)
+
+    (short, ends), (long, also) = drawn("Musculus"), drawn("Musculus " * 30)
+    assert short != long
+    assert ends == also

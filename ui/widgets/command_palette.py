@@ -25,6 +25,8 @@ from ui.theme.metrics import GRID, ROW
 
 WIDTH = 64 * GRID
 MOST_ROWS = 12
+KEYS = 16 * GRID
+"""Room for the keys, at the right of the section."""
 ENTRY = Qt.ItemDataRole.UserRole + 1
 
 
@@ -191,13 +193,22 @@ class _EntryDelegate(QStyledItemDelegate):
         faint = blend(theme.panel, theme.muted, 0.55)
         centre = Qt.AlignmentFlag.AlignVCenter
         painter.setPen(QColor(theme.text) if entry.enabled else faint)
-        painter.drawText(line, centre | Qt.AlignmentFlag.AlignLeft, entry.title)
-        _underline(painter, line, entry)
+        title = line.adjusted(0, 0, -_told_width(painter, entry), 0)
+        shown = painter.fontMetrics().elidedText(entry.title, Qt.TextElideMode.ElideRight, title.width())
+        painter.drawText(title, centre | Qt.AlignmentFlag.AlignLeft, shown)
+        _underline(painter, title, entry)
         painter.setPen(QColor(theme.text if marked else theme.muted))
         painter.drawText(line, centre | Qt.AlignmentFlag.AlignRight, entry.keys)
         painter.setPen(faint if not marked else QColor(theme.muted))
-        room = line.adjusted(0, 0, -16 * GRID, 0)
+        room = line.adjusted(0, 0, -KEYS, 0)
         painter.drawText(room, centre | Qt.AlignmentFlag.AlignRight, entry.section)
+
+
+def _told_width(painter: QPainter, entry: PaletteEntry) -> int:
+    """What section and keys of a line take of its width, with air before them."""
+    metrics = painter.fontMetrics()
+    section = KEYS + metrics.horizontalAdvance(entry.section) if entry.section else 0
+    return max(section, metrics.horizontalAdvance(entry.keys)) + 2 * GRID
 
 
 def _underline(painter: QPainter, line: QRect, entry: PaletteEntry) -> None:
@@ -208,4 +219,5 @@ def _underline(painter: QPainter, line: QRect, entry: PaletteEntry) -> None:
     for place in entry.letters:
         left = line.left() + metrics.horizontalAdvance(entry.title[:place])
         right = line.left() + metrics.horizontalAdvance(entry.title[: place + 1])
-        painter.drawLine(left, y, right - 1, y)
+        if right <= line.right():
+            painter.drawLine(left, y, right - 1, y)

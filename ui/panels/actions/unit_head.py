@@ -113,6 +113,7 @@ def one_line(note: str) -> str:
 def _put(line: QLineEdit, text: str) -> None:
     if line.text() != text and not line.hasFocus():
         line.setText(text)
+        line.setCursorPosition(0)
 
 
 def _line(name: str) -> QLineEdit:
