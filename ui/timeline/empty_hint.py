@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.timeline.timeline import Timeline
 from ui.theme.metrics import GRID
@@ -17,6 +17,9 @@ OFFERS: Sequence[tuple[str, str]] = (
     ("timeline.import", "Import a capture…"),
     ("file.example.demo", "Show the demo"),
 )
+
+LEAST = 40 * GRID
+"""Width of the words, where there is room for it."""
 
 
 class EmptyHint(QFrame):
@@ -37,21 +40,14 @@ class EmptyHint(QFrame):
         layout.setSpacing(GRID)
         words = QLabel("Pose the face and press <b>E</b>: a key expression. Go on in time, pose it again.")
         words.setWordWrap(True)
-        words.setMinimumWidth(40 * GRID)
         words.setProperty("role", "muted")
         words.setAlignment(Qt.AlignmentFlag.AlignCenter)
         layout.addWidget(words)
-        row = QHBoxLayout()
-        row.setSpacing(GRID)
-        row.addStretch(1)
-        for key, text in OFFERS:
-            if key in binding.qt:
-                button = QPushButton(text)
-                button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-                button.clicked.connect(lambda _on, key=key: binding.perform(key))
-                row.addWidget(button)
-        row.addStretch(1)
-        layout.addLayout(row)
+        self.offers = [self._offer(key, text, binding) for key, text in OFFERS if key in binding.qt]
+        self._columns = 0
+        self._rows = QGridLayout()
+        self._rows.setSpacing(GRID)
+        layout.addLayout(self._rows)
         sheet.installEventFilter(self)
         timeline.document.animation_changed.connect(self._follow)
         timeline.document.project_changed.connect(self._follow)
@@ -68,7 +64,25 @@ class EmptyHint(QFrame):
         self.setVisible(not animation.moves and animation.audio is None)
         self._place()
 
+    def _offer(self, key: str, text: str, binding: ActionBinding) -> QPushButton:
+        button = QPushButton(text)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.clicked.connect(lambda _on: binding.perform(key))
+        return button
+
+    def _arrange(self, columns: int) -> None:
+        """Put the offers side by side, or some below the others."""
+        if columns != self._columns:
+            self._columns = columns
+            for place, button in enumerate(self.offers):
+                self._rows.addWidget(button, *divmod(place, columns))
+
     def _place(self) -> None:
-        self.adjustSize()
         room = self._sheet.rect()
+        widest = max((button.sizeHint().width() for button in self.offers), default=0) + GRID
+        fits = (room.width() - GRID) // widest if widest else 1
+        self._arrange(next(columns for columns in (4, 2, 1) if columns <= max(fits, 1)))
+        width = min(self._columns * widest - GRID if self._columns > 1 else 0, room.width() - 2 * GRID)
+        width = min(max(width, LEAST), room.width() - 2 * GRID)
+        self.resize(width, self.layout().heightForWidth(width))
         self.move((room.width() - self.width()) // 2, max((room.height() - self.height()) // 2, 0) + GRID)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QToolBar
+from PySide6.QtWidgets import QToolBar, QToolButton
 
 from app.tools.toolbox import ToolBox
+from ui.theme.icons import icon
 from ui.theme.metrics import ICON
 from ui.window.action_binding import ActionBinding
 
@@ -17,6 +18,9 @@ STRIP = (
     ("file.screenshot",),
 )
 """Ids of the actions, in groups."""
+
+EXTENSION = "qt_toolbar_ext_button"
+"""What Qt calls the button that opens what finds no room."""
 
 
 class ToolStrip(QToolBar):
@@ -40,7 +44,16 @@ class ToolStrip(QToolBar):
             button = self.widgetForAction(binding.qt[key])
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.setAccessibleName(binding.qt[key].text())
+        self._offer_rest()
         self.offer_tools()
+
+    def _offer_rest(self) -> None:
+        """Let it be seen where the rest is when the window is too low for all; the style's own mark is not."""
+        self.rest = self.findChild(QToolButton, EXTENSION)
+        self.rest.setIcon(icon("dots-horizontal"))
+        self.rest.setIconSize(QSize(ICON, ICON))
+        self.rest.setToolTip("More")
+        self.rest.setAccessibleName("More")
 
     def offer_tools(self) -> None:
         """Show the tools of the workspace, and those of no other."""

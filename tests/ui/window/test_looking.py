@@ -1,14 +1,18 @@
 """Turning, switching, pointing."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QIcon
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox
 
 from tests.ui.hands import enter, leave
 from tests.ui.window.seen import differs, picture
 from tests.ui.workspaces.test_switching import camera
 from ui.panels.muscle_text import muscle_label
+from ui.theme.metrics import ROW
 
 Button = QMessageBox.StandardButton
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -112,3 +116,38 @@ def test_a_double_click_on_the_face_leaves_the_left_button_to_the_tools(window):
     QTest.mouseMove(canvas, middle + QPoint(60, 40))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=middle + QPoint(60, 40))
     assert camera(window) == before
+
+
+def test_a_low_window_shows_where_the_rest_of_the_toolbar_is(window):
+    window.resize(window.minimumSize())
+    QApplication.processEvents()
+    rest = window.strip.rest
+    assert rest.isVisible()
+    marked = rest.grab().toImage()
+    rest.setIcon(QIcon())
+    assert rest.grab().toImage() != marked
+
+
+def test_a_low_window_leaves_the_lists_of_units_and_muscles_some_rows(window):
+    window.resize(window.minimumSize())
+    for workspace, part in (("actions", "units"), ("muscles", "tree")):
+        window.show_workspace(workspace)
+        QApplication.processEvents()
+        assert getattr(window.panels.panel(workspace), part).height() >= 5 * ROW
+
+
+def test_an_empty_timeline_fits_what_it_says_into_a_narrow_window(window, qtbot):
+    window.timeline.dock.open()
+    hint, sheet = window.timeline.panel.empty, window.timeline.panel.sheet
+    for wide in (window.minimumWidth(), 1600, window.minimumWidth()):
+        window.resize(wide, 900)
+        qtbot.waitUntil(lambda: sheet.rect().contains(hint.geometry()))
+        assert all(hint.rect().contains(button.geometry()) for button in hint.offers)
+
+
+def test_what_people_call_things_is_no_markup_in_a_tooltip(window, document):
+    joy = replace(document.project.emotions[0], name="<h1>joy</h1>")
+    document.edit(replace(document.project, emotions=(joy, *document.project.emotions[1:])), "Rename")
+    assert "&lt;h1&gt;" in window.expression.emotions.buttons[joy.name].toolTip()
+    window.binding.rebuild()
+    assert "&lt;h1&gt;" in window.binding.qt[f"emotion.{joy.name}"].toolTip()

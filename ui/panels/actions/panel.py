@@ -33,11 +33,13 @@ from ui.panels.actions.unit_editor import UnitEditor
 from ui.panels.actions.unit_list import UnitList
 from ui.portraits import Portraits
 from ui.theme.icons import icon
-from ui.theme.metrics import GRID
+from ui.theme.metrics import GRID, ROW
 from ui.widgets.collapsible import Collapsible
 
 WIDTH = 43 * GRID
 HEIGHTS = 330, 420
+FEWEST_ROWS = 5
+"""Of the list, however low the window is."""
 """Pixels for list and numbers at first, of a window of the usual size."""
 
 UNITS, EXPRESSIONS = 0, 1
@@ -196,6 +198,7 @@ class ActionsPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(GRID // 2)
         layout.addLayout(head)
+        self.units.setMinimumHeight(FEWEST_ROWS * ROW)
         layout.addWidget(self.units, 1)
         layout.addLayout(line)
         return upper

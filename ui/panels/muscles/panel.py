@@ -14,10 +14,12 @@ from ui.panels.muscles.properties import MuscleProperties
 from ui.panels.muscles.snap_box import SnapBox
 from ui.panels.muscles.tree import MuscleTree
 from ui.theme.icons import icon
-from ui.theme.metrics import GRID, ICON
+from ui.theme.metrics import GRID, ICON, ROW
 
 WIDTH = 43 * GRID
 HEIGHTS = 380, 420
+FEWEST_ROWS = 5
+"""Of the tree, however low the window is."""
 """Pixels for tree and numbers at first, of a window of the usual size."""
 
 GLYPHS = {
@@ -150,6 +152,7 @@ class MusclesPanel(QWidget):
         above.setSpacing(GRID)
         above.addLayout(head)
         above.addWidget(self.snap)
+        self.tree.setMinimumHeight(FEWEST_ROWS * ROW)
         above.addWidget(self.tree, 1)
         above.addLayout(line)
         below = QScrollArea()
