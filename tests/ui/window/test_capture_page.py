@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
@@ -151,6 +151,29 @@ def test_a_change_elsewhere_takes_the_capture_in(window: MainWindow, page: Mappi
     document.undo()
     document.undo()
     assert not document.project.animation.tracks
+
+
+def test_one_channel_is_told_as_one(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> None:
+    (tmp_path / "chin.csv").write_text("time,17\n0,0\n0.1,1\n")
+    window.timeline.exchange.read_capture(tmp_path / "chin.csv")
+    qtbot.waitUntil(lambda: window.findChild(MappingPage) is not None)
+    page = window.findChild(MappingPage)
+    assert page.notes.text().startswith("1 channel moves.")
+    assert any("· 1 channel ·" in label.text() for label in page.findChildren(QLabel))
+
+
+def test_another_capture_takes_in_the_one_that_waits(
+    window: MainWindow, page: MappingPage, capture: Path, document: Document, qtbot: QtBot
+) -> None:
+    gone: list[int] = []
+    page.finished.connect(gone.append)
+    window.timeline.exchange.read_capture(capture)
+    qtbot.waitUntil(lambda: bool(gone))
+    assert gone == [MappingPage.DialogCode.Accepted]
+    qtbot.waitUntil(lambda: sum(each.isVisible() for each in window.findChildren(MappingPage)) == 1)
+    (other,) = (each for each in window.findChildren(MappingPage) if each.isVisible())
+    other.reject()
+    assert document.history.done == ("Import smile.csv",)
 
 
 @pytest.fixture

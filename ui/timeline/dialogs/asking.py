@@ -45,15 +45,25 @@ class TimelineDialogs:
         self._unfold = unfold
         self._speech: SpeechPage | None = None
         self._visemes: VisemePage | None = None
+        self._mapping: MappingPage | None = None
 
     def map_capture(self, capture: Capture, path: Path, again: Again) -> None:
-        """Show how the channels of a capture become those of the face, and take it in when that is settled."""
-        page = MappingPage(self._parent, self._timeline, self._context.host, capture, path, again)
+        """Show how the channels of a capture become those of the face, and take it in when that is settled.
+
+        One that still waits is taken in as it is seen.
+        """
+        if self._mapping is not None:
+            self._mapping.accept()
+        self._mapping = page = MappingPage(self._parent, self._timeline, self._context.host, capture, path, again)
         self._unfold()
         page.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         page.accepted.connect(lambda: self._context.host.show_message(f"Imported {path.name}: {page.notes.text()}"))
+        page.finished.connect(self._mapped)
         page.show()
         self._context.host.show_message(f"Scrub or play to see what {path.name} does; “Import” takes it in")
+
+    def _mapped(self, _how: int) -> None:
+        self._mapping = None
 
     def type_speech(self) -> None:
         """Let words or sounds be typed; the window stays in reach, so that one can scrub to where they belong."""

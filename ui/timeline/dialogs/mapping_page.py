@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.actions.context import FileQuestion, Host
 from app.authoring.importing import Imported, with_capture
+from app.film.order import counted
 from app.timeline.exchange import Again
 from app.timeline.timeline import LiveChange, Timeline
 from facemodel.animation.capture import KIND_TITLES, Capture
@@ -109,7 +110,9 @@ class MappingPage(QDialog):
         finally:
             self._showing = False
         tracks = sum(track.captured is not None for track in found.project.animation.tracks)
-        self.notes.setText("  ".join((f"{tracks} channels move.", *found.notes)))
+        self.notes.setText(
+            "  ".join((f"{counted(tracks, 'channel')} {'moves' if tracks == 1 else 'move'}.", *found.notes))
+        )
 
     def accept(self) -> None:
         """Take it in as it is seen."""
@@ -184,7 +187,7 @@ class MappingPage(QDialog):
         title.setProperty("role", "title")
         seconds = f"{capture.duration:.1f} s" if capture.duration < 60 else f"{capture.duration / 60:.1f} min"
         frames = f"{len(capture.values):,} frames at {capture.rate:g} a second, {seconds}"
-        about = QLabel(f"{KIND_TITLES[capture.kind]} · {len(capture.channels)} channels · {frames}")
+        about = QLabel(f"{KIND_TITLES[capture.kind]} · {counted(len(capture.channels), 'channel')} · {frames}")
         about.setProperty("role", "muted")
         self.name.setText(self.table.mapping.name)
         self.notes.setWordWrap(True)
