@@ -72,5 +72,3 @@ def test_a_raised_chin_pushes_the_lower_lip_up_as_a_whole(key: str) -> None:
     rises = [float(fields["17"][face.landmarks[name]][1]) for name in ("lower_lip_mid", "lower_vermilion")]
     assert min(rises) > 2.0
     assert float(fields["17"][face.landmarks["chin"]][1]) > 2.0
-
-
