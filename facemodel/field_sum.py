@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
@@ -36,48 +36,61 @@ class FieldSum(NamedTuple):
 
 def add_field(total: Float32Array, field: Float32Array, weight: float) -> None:
     """Add a weighted field (n,) to the first n numbers of a total, in place."""
-    saxpy(field, total, n=len(field), a=weight)
+    if len(field) < ALONE:
+        saxpy(field, total, n=len(field), a=weight)
+    else:
+        _in_two([_Job(_add_part, (total, field, np.float32(weight)), len(field))], 1)
 
 
 def sum_fields(sums: Sequence[FieldSum], weights: Float32Array) -> None:
-    """Write rest + sum of w_k u_k into every total, with the same weights (M,).
+    """Write rest + sum of w_k u_k into every total, with the same weights (M,)."""
+    jobs = [_Job(_sum_rows, (*each, weights), len(each.total)) for each in sums]
+    _in_two(jobs, int(np.count_nonzero(weights)))
+
+
+class _Job(NamedTuple):
+    """A loop over so many numbers: its arguments, to which come from which number to which."""
+
+    loop: Callable[..., None]
+    arguments: tuple[object, ...]
+    length: int
+
+
+def _in_two(jobs: Sequence[_Job], fields: int) -> None:
+    """Do jobs that read so many fields, in two threads where that is worth while.
 
     One core reads more slowly than memory gives, so a second thread takes one half.  If it has not begun when the first
     is through, that half is taken back: nobody waits for a core that is busy.
     """
-    half = sum(len(each.total) for each in sums) // 2
-    front, back = _shares(sums, half)
-    if 2 * half * np.count_nonzero(weights) < ALONE:
-        _sum_shares(front, weights)
-        _sum_shares(back, weights)
+    total = sum(job.length for job in jobs)
+    if total * fields < ALONE:
+        _do(jobs, 0, total)
         return
-    there = _second.submit(_sum_shares, back, weights)
-    _sum_shares(front, weights)
+    there = _second.submit(_do, jobs, total // 2, total)
+    _do(jobs, 0, total // 2)
     if there.cancel():
-        _sum_shares(back, weights)
+        _do(jobs, total // 2, total)
     else:
         there.result()
 
 
-Share = tuple[FieldSum, int, int]
-"""What to sum, from which number of its total to which."""
-
-
-def _shares(sums: Sequence[FieldSum], front: int) -> tuple[list[Share], list[Share]]:
-    """Share sums between who takes so many numbers of the totals, and who takes the rest."""
-    one, other, left = [], [], front
-    for each in sums:
-        cut = min(left, len(each.total))
-        one.append((each, 0, cut))
-        other.append((each, cut, len(each.total)))
-        left -= cut
-    return one, other
-
-
-def _sum_shares(shares: Sequence[Share], weights: Float32Array) -> None:
-    for each, first, last in shares:
+def _do(jobs: Sequence[_Job], begin: int, end: int) -> None:
+    """Do what lies between two numbers of all that the jobs go over, one behind the other."""
+    for loop, arguments, length in jobs:
+        first, last = max(begin, 0), min(end, length)
         if first < last:
-            _sum_rows(*each, weights, first, last)
+            loop(*arguments, first, last)
+        begin, end = begin - length, end - length
+
+
+def _add_part(total: Float32Array, field: Float32Array, weight: np.float32, begin: int, end: int) -> None:
+    _add_row(total[begin:end], field[begin:end], weight)
+
+
+@compiled
+def _add_row(total: Float32Array, field: Float32Array, weight: np.float32) -> None:
+    for n in range(len(field)):
+        total[n] += weight * field[n]
 
 
 @compiled

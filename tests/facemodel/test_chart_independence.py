@@ -57,7 +57,8 @@ def lower_face(face: Face) -> Face:
     layers = replace(face.layers, **{each.name: getattr(face.layers, each.name)[kept] for each in fields(face.layers)})
     skull = replace(face.skull, anchors=face.skull.anchors[kept], jawbone=face.skull.jawbone[kept])
     solved = ~np.isin(skin.triangles, rim).any(axis=1)
-    return replace(face, skin=skin, solved=solved, layers=layers, skull=skull, parts=(), chart=make_chart(skin))
+    changed = replace(face, skin=skin, solved=solved, layers=layers, skull=skull, parts=(), landmarks={})
+    return replace(changed, chart=make_chart(skin))
 
 
 def refined(face: Face) -> Face:
