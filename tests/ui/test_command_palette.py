@@ -6,7 +6,10 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
+from ui.theme.apply import apply_theme
+from ui.theme.colour import contrast
 from ui.theme.metrics import ROW
+from ui.theme.roles import DARK, THEMES, Theme
 from ui.widgets.command_palette import CommandPalette, PaletteEntry
 
 ENTRIES = (
@@ -95,3 +98,20 @@ def test_a_long_title_ends_before_the_section_and_the_keys(palette):
     (short, ends), (long, also) = drawn("Musculus"), drawn("Musculus " * 30)
     assert short != long
     assert ends == also
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES.keys())
+def test_the_section_of_a_command_is_written_as_strongly_as_its_keys(palette, qapp, theme: Theme):
+    def ink(keys: str, section: str) -> float:
+        palette._rank = lambda _text: [PaletteEntry("", "", enabled=False), PaletteEntry("", section, keys)] * 2
+        palette.line.setText(keys + section)
+        picture = palette.list.viewport().grab().toImage().copy(0, 2 * ROW + ROW, palette.list.width(), ROW)
+        pixels = (picture.pixelColor(x, y) for x in range(picture.width()) for y in range(picture.height()))
+        return max(contrast(theme.panel, pixel) for pixel in pixels)
+
+    apply_theme(qapp, theme)
+    try:
+        assert ink("", "Muscle") > 3
+        assert ink("", "Muscle") == pytest.approx(ink("Muscle", ""), rel=0.05)
+    finally:
+        apply_theme(qapp, DARK)

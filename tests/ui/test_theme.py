@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
 from ui.theme.apply import apply_theme, current_theme
+from ui.theme.chosen import chosen_ground, quiet_ink
 from ui.theme.colour import contrast
 from ui.theme.icons import icon
 from ui.theme.roles import DARK, LIGHT, THEMES, Theme
@@ -22,9 +23,23 @@ def test_writing_can_be_read_on_every_ground(theme: Theme, ground: str, writing:
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES.keys())
-@pytest.mark.parametrize("state", ["accent", "ok", "warn", "error"])
-def test_states_can_be_read_on_the_panel(theme: Theme, state: str):
+@pytest.mark.parametrize("state", ["accent", "ok", "warn", "error", "left", "right", "both"])
+def test_states_and_sides_can_be_read_on_the_panel(theme: Theme, state: str):
     assert contrast(theme.panel, getattr(theme, state)) >= READABLE
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES.keys())
+def test_what_is_wrong_in_a_field_and_the_open_workspace_can_be_read(theme: Theme):
+    assert contrast(theme.raised, theme.error) >= READABLE
+    assert contrast(theme.window, theme.accent) >= READABLE
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES.keys())
+def test_writing_that_recedes_can_be_read_on_a_chosen_row(theme: Theme):
+    ground = chosen_ground(theme)
+    assert contrast(ground, quiet_ink(theme, chosen=True)) >= READABLE
+    assert contrast(ground, quiet_ink(theme, chosen=True)) < contrast(ground, theme.text)
+    assert quiet_ink(theme) == QColor(theme.muted)
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES.keys())

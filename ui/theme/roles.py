@@ -59,7 +59,7 @@ DARK = Theme(
     both="#98a4b2",
     ok="#6cc08b",
     warn="#e8b949",
-    error="#e96f69",
+    error="#ee847f",
 )
 
 LIGHT = Theme(
@@ -71,11 +71,11 @@ LIGHT = Theme(
     line="#cfd4da",
     text="#1d2126",
     muted="#57606a",
-    accent="#b8471b",
+    accent="#b3441a",
     on_accent="#ffffff",
-    left="#1a6fb5",
+    left="#196cb0",
     right="#b92f5c",
-    both="#6b7785",
+    both="#606b78",
     ok="#25754a",
     warn="#835b00",
     error="#b8322b",

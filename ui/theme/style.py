@@ -5,6 +5,7 @@ from __future__ import annotations
 from string import Template
 
 from resources import resource
+from ui.theme.chosen import chosen_ground
 from ui.theme.colour import blend
 from ui.theme.metrics import ROW, SMALL_TYPE
 from ui.theme.roles import Theme
@@ -127,7 +128,7 @@ def stylesheet(theme: Theme) -> str:
         vars(theme),
         chevron=resource("icons", f"chevron-{theme.name}.svg").as_posix(),
         faint=blend(theme.panel, theme.muted, 0.55).name(),
-        chosen=blend(theme.window, theme.accent, 0.32).name(),
+        chosen=chosen_ground(theme).name(),
         accent_hover=blend(theme.accent, theme.on_accent, 0.14).name(),
         small=SMALL_TYPE,
         row=ROW,

@@ -107,13 +107,9 @@ def _paint_text(painter: QPainter, area: QRectF, bar: Bar, theme: Theme) -> None
     inner = area.adjusted(GRID, 0, -GRID, 0)
     metrics = QFontMetrics(painter.font())
     recede = (bar.zero and not bar.hovered and not bar.active) or not bar.enabled
-    number = blend(theme.panel, theme.muted, 0.7) if recede else QColor(theme.text)
-    if any(fill.weight > 1 for fill in bar.fills):
-        number = QColor(theme.accent)
     centre = Qt.AlignmentFlag.AlignVCenter
-    painter.setPen(number)
+    painter.setPen(QColor(theme.muted if recede else theme.text))
     painter.drawText(inner, centre | Qt.AlignmentFlag.AlignRight, bar.number)
     room = inner.width() - metrics.horizontalAdvance(bar.number) - GRID
-    painter.setPen(QColor(theme.muted if recede else theme.text))
     name = metrics.elidedText(bar.label, Qt.TextElideMode.ElideRight, int(room))
     painter.drawText(inner, centre | Qt.AlignmentFlag.AlignLeft, name)

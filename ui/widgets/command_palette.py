@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.theme.apply import current_theme
+from ui.theme.chosen import chosen_ground, quiet_ink
 from ui.theme.colour import blend
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
@@ -185,21 +186,19 @@ class _EntryDelegate(QStyledItemDelegate):
         theme = current_theme()
         marked = option.state & option.state.State_Selected
         if marked:
-            painter.fillRect(option.rect, blend(theme.panel, theme.accent, 0.3))
+            painter.fillRect(option.rect, chosen_ground(theme))
         elif option.state & option.state.State_MouseOver:
             painter.fillRect(option.rect, QColor(theme.hover))
         line = option.rect.adjusted(GRID, 0, -GRID, 0)
         painter.setFont(QApplication.font())
-        faint = blend(theme.panel, theme.muted, 0.55)
         centre = Qt.AlignmentFlag.AlignVCenter
-        painter.setPen(QColor(theme.text) if entry.enabled else faint)
+        painter.setPen(QColor(theme.text) if entry.enabled else blend(theme.panel, theme.muted, 0.55))
         title = line.adjusted(0, 0, -_told_width(painter, entry), 0)
         shown = painter.fontMetrics().elidedText(entry.title, Qt.TextElideMode.ElideRight, title.width())
         painter.drawText(title, centre | Qt.AlignmentFlag.AlignLeft, shown)
         _underline(painter, title, entry)
-        painter.setPen(QColor(theme.text if marked else theme.muted))
+        painter.setPen(quiet_ink(theme, marked))
         painter.drawText(line, centre | Qt.AlignmentFlag.AlignRight, entry.keys)
-        painter.setPen(faint if not marked else QColor(theme.muted))
         room = line.adjusted(0, 0, -KEYS, 0)
         painter.drawText(room, centre | Qt.AlignmentFlag.AlignRight, entry.section)
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.theme.apply import current_theme, interface_font
-from ui.theme.colour import blend
+from ui.theme.chosen import chosen_ground, quiet_ink
 from ui.theme.metrics import GRID, RADIUS, SMALL_TYPE
 from ui.widgets.empty_view import paint_empty
 from ui.widgets.portrait_paint import paint_portrait
@@ -60,8 +60,9 @@ class ExpressionCells(QStyledItemDelegate):
         theme, area = current_theme(), QRectF(option.rect)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        if option.state & QStyle.StateFlag.State_Selected:
-            painter.fillRect(area, blend(theme.window, theme.accent, 0.32))
+        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
+        if chosen:
+            painter.fillRect(area, chosen_ground(theme))
         elif option.state & QStyle.StateFlag.State_MouseOver:
             painter.fillRect(area, QColor(theme.hover))
         if index.data(SHOWN):
@@ -70,10 +71,10 @@ class ExpressionCells(QStyledItemDelegate):
         place = QRectF(area.x() + GRID, area.y() + (area.height() - PICTURE.height()) / 2, PICTURE.width(), 44)
         shape.addRoundedRect(place, RADIUS, RADIUS)
         paint_portrait(painter, shape, index.data(PORTRAIT))
-        self._paint_words(painter, area.adjusted(TEXT_LEFT, 5, -GRID, -5), index)
+        self._paint_words(painter, area.adjusted(TEXT_LEFT, 5, -GRID, -5), index, chosen)
         painter.restore()
 
-    def _paint_words(self, painter: QPainter, room: QRectF, index: Cell) -> None:
+    def _paint_words(self, painter: QPainter, room: QRectF, index: Cell, chosen: bool) -> None:
         theme = current_theme()
         if index.data(PLACED):
             painter.setPen(Qt.PenStyle.NoPen)
@@ -85,7 +86,7 @@ class ExpressionCells(QStyledItemDelegate):
             room, left | top, _short(painter, index.data(Qt.ItemDataRole.DisplayRole), room.width() - 2 * GRID)
         )
         painter.setFont(interface_font(SMALL_TYPE))
-        painter.setPen(QColor(theme.muted))
+        painter.setPen(quiet_ink(theme, chosen))
         painter.drawText(room, left | Qt.AlignmentFlag.AlignBottom, _short(painter, index.data(RECIPE), room.width()))
 
 

@@ -22,7 +22,7 @@ from app.view_state import ViewState
 from facemodel.actions import GROUP_TITLES, ActionUnit
 from ui.panels.unit_text import muscle_titles, unit_matches, unit_title
 from ui.theme.apply import current_theme, interface_font
-from ui.theme.colour import blend
+from ui.theme.chosen import chosen_ground, quiet_ink
 from ui.theme.metrics import GRID, ROW, SMALL_TYPE
 from ui.widgets.empty_view import paint_empty
 from ui.widgets.row_drag import Drop, RowDrag
@@ -68,25 +68,26 @@ class UnitCells(QStyledItemDelegate):
             painter.drawText(area.adjusted(GRID, 0, -GRID, 0), CENTRE | LEFT, words.upper())
         else:
             if option.state & SELECTED:
-                painter.fillRect(area, blend(theme.window, theme.accent, 0.32))
+                painter.fillRect(area, chosen_ground(theme))
             elif option.state & HOVERED:
                 painter.fillRect(area, QColor(theme.hover))
             if index.data(SCULPTED):
                 paint_sculpted(painter, area)
-            self._paint_unit(painter, area, index)
+            self._paint_unit(painter, area, index, bool(option.state & SELECTED))
         painter.restore()
 
-    def _paint_unit(self, painter: QPainter, area: QRectF, index: Cell) -> None:
+    def _paint_unit(self, painter: QPainter, area: QRectF, index: Cell, chosen: bool) -> None:
         theme = current_theme()
+        quiet = quiet_ink(theme, chosen)
         words, weight = index.data(Qt.ItemDataRole.DisplayRole), index.data(WEIGHT) or ""
-        painter.setPen(QColor(theme.muted))
+        painter.setPen(quiet)
         painter.drawText(
             QRectF(area.x(), area.y(), NUMBER_WIDTH, area.height()), CENTRE | RIGHT, str(index.data(NUMBER))
         )
         room = area.adjusted(NUMBER_WIDTH + GRID, 0, -GRID, 0)
         painter.setPen(QColor(theme.text))
         painter.drawText(room, CENTRE | RIGHT, weight)
-        painter.setPen(QColor(theme.muted if index.data(EMPTY) else theme.text))
+        painter.setPen(quiet if index.data(EMPTY) else QColor(theme.text))
         width = room.width() - painter.fontMetrics().horizontalAdvance(weight) - (GRID if weight else 0)
         name = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(width))
         painter.drawText(room, CENTRE | LEFT, name)

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from ui.theme.apply import current_theme
+from ui.theme.chosen import chosen_ground, quiet_ink
 from ui.theme.colour import blend, contrast
 from ui.theme.icons import FAMILY
 from ui.theme.metrics import GRID, ICON, RADIUS, ROW
@@ -92,7 +93,7 @@ def _paint_chip(painter: QPainter, option: QStyleOptionViewItem, index: Cell) ->
         painter.drawRoundedRect(area, RADIUS, RADIUS)
     dark, light = QColor(theme.window), QColor(theme.on_accent)
     readable = dark if contrast(dark, colour) > contrast(light, colour) else light
-    painter.setPen(readable if on else colour)
+    painter.setPen(readable if on else theme.text if hovered else theme.muted if index.data(SHARE) else colour)
     painter.drawText(area, Qt.AlignmentFlag.AlignCenter, index.data(Qt.ItemDataRole.DisplayRole))
 
 
@@ -101,7 +102,7 @@ def _paint_name(painter: QPainter, option: QStyleOptionViewItem, index: Cell) ->
     area = QRectF(option.rect)
     heading, colour = index.data(GROUP), index.data(COLOUR)
     if option.state & SELECTED:
-        painter.fillRect(area, blend(theme.window, theme.accent, 0.32))
+        painter.fillRect(area, chosen_ground(theme))
     elif option.state & HOVERED:
         painter.fillRect(area, QColor(theme.hover))
     if colour:
@@ -114,7 +115,8 @@ def _paint_name(painter: QPainter, option: QStyleOptionViewItem, index: Cell) ->
             area.setLeft(swatch.right() + GRID // 2)
         else:
             area.setRight(swatch.left())
-    painter.setPen(QColor(theme.muted if heading or index.data(SHARE) else theme.text))
+    quiet = quiet_ink(theme, option.state & SELECTED)
+    painter.setPen(quiet if heading or index.data(SHARE) else QColor(theme.text))
     words = index.data(Qt.ItemDataRole.DisplayRole)
     room = area.adjusted(GRID // 2, 0, -GRID // 2, 0)
     text = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QPainter
-from PySide6.QtWidgets import QListWidget, QListWidgetItem, QStyledItemDelegate, QStyleOptionViewItem
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QListWidget, QListWidgetItem, QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from app.tools.brush_state import BrushState, HandBrush
 from app.view import View
 from facemodel.painting.layers import PAINT_LAYERS
 from ui.theme.apply import current_theme
+from ui.theme.chosen import quiet_ink
 from ui.theme.metrics import GRID, ROW
 
 KEY, UNIT = Qt.ItemDataRole.UserRole + 1, Qt.ItemDataRole.UserRole + 2
@@ -26,7 +27,7 @@ class _Row(QStyledItemDelegate):
     ) -> None:
         super().paint(painter, option, index)
         painter.save()
-        painter.setPen(QColor(current_theme().muted))
+        painter.setPen(quiet_ink(current_theme(), option.state & QStyle.StateFlag.State_Selected))
         place = QRect(option.rect).adjusted(0, 0, -GRID, 0)
         painter.drawText(place, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, index.data(UNIT))
         painter.restore()

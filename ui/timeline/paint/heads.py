@@ -13,6 +13,7 @@ from app.timeline.lines import Line
 from app.timeline.switches import Switch, switches_of
 from facemodel.animation.clip import Animation
 from ui.theme.apply import interface_font
+from ui.theme.chosen import quiet_ink
 from ui.theme.colour import blend
 from ui.theme.icons import FAMILY
 from ui.theme.metrics import GRID, SMALL_TYPE, TYPE
@@ -107,13 +108,14 @@ def _paint_name(painter: QPainter, line: Line, room: QRectF, look: HeadLook, mut
     if line.side != "both":
         painter.fillRect(QRectF(x - 6, room.center().y() - 5, 2, 10), QColor(getattr(theme, line.side)))
     quiet = muted or line.kind == "layer"
-    painter.setPen(QColor(theme.muted))
+    ink = quiet_ink(theme, look.chosen)
+    painter.setPen(ink)
     if line.number:
         wide = painter.fontMetrics().horizontalAdvance("00")
         align = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         painter.drawText(QRectF(x, room.y(), wide, room.height()), align, line.number)
         x += wide + 6
-    painter.setPen(QColor(theme.muted if quiet or line.kind == "group" else theme.text))
+    painter.setPen(ink if quiet or line.kind == "group" else QColor(theme.text))
     title = line.title.upper() if line.kind == "group" else line.title
     wide = max(room.right() - x - 4, 0)
     text = painter.fontMetrics().elidedText(title, Qt.TextElideMode.ElideRight, int(wide))
@@ -124,7 +126,7 @@ def _paint_value(painter: QPainter, place: QRectF, look: HeadLook, theme: Theme)
     painter.setFont(interface_font(SMALL_TYPE))
     if look.over == "value":
         painter.fillRect(place.adjusted(2, 3, 4, -3), QColor(theme.raised))
-    painter.setPen(QColor(theme.text if look.hovered else theme.muted))
+    painter.setPen(QColor(theme.text) if look.hovered else quiet_ink(theme, look.chosen))
     painter.drawText(place, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, look.value)
 
 
