@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -13,6 +15,7 @@ from app.document import Document
 from app.view import View
 from facemodel.project import Project
 from tests.app.conftest import small_project
+from tests.ui.hands import let_go
 from ui.portraits import Portraits
 from ui.theme.apply import apply_theme
 from ui.theme.roles import DARK
@@ -27,6 +30,14 @@ PATIENCE = 60_000
 def _display() -> None:
     if NO_DISPLAY:
         pytest.skip("There is no display; run these tests by .ci/with-display.")
+
+
+@pytest.fixture(autouse=True)
+def _no_button_held(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Let go of the mouse after every test: undo asks whether a hand is in the middle of a drag."""
+    yield
+    if "qapp" in request.fixturenames and QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
+        let_go(QWidget())
 
 
 @pytest.fixture(scope="session")

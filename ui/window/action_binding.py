@@ -14,6 +14,7 @@ from app.actions.action import Action, perform, shortcuts_of
 from app.actions.context import Context, state_signals, table_signals
 from ui.theme.action_icons import GLYPHS
 from ui.theme.icons import icon
+from ui.window.held_hand import TAKE_BACK, end_drag
 
 Table = Callable[[Context], tuple[Action, ...]]
 """All actions there are now."""
@@ -86,7 +87,9 @@ class ActionBinding(QObject):
             self.refresh()
 
     def perform(self, key: str) -> None:
-        """Do an action by its id."""
+        """Do an action by its id; undo in the middle of a drag takes that back instead."""
+        if key in TAKE_BACK and end_drag():
+            return
         for action in self.actions:
             if action.id == key:
                 perform(action, self._context)

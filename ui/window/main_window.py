@@ -37,6 +37,7 @@ from ui.window.dock import Dock
 from ui.window.drawing_quality import DrawingQuality
 from ui.window.file_drops import FileDrops
 from ui.window.first_hints import FirstHints
+from ui.window.held_hand import takes_back
 from ui.window.host import WindowHost
 from ui.window.layout import Layout, layout_from, layout_text
 from ui.window.menus import fill_menus
@@ -138,7 +139,8 @@ class MainWindow(QMainWindow):
         """Keys meet the state as it is; those that walk within a panel are its own while it has the keyboard."""
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             self.binding.settle()
-            if walks(event, self.focusWidget(), self.viewport.canvas):
+            own = walks(event, self.focusWidget(), self.viewport.canvas)
+            if own or takes_back(event, self.binding.qt):
                 event.accept()
         return super().event(event)
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
 
-from tests.ui.hands import drag
+from tests.ui.hands import drag, move
 from tests.ui.window.seen import differs, picture, points
 
 Button = QMessageBox.StandardButton
@@ -38,6 +38,25 @@ def test_escape_in_a_drag_restores_the_face(window, document):
     QTest.keyClick(slider, Qt.Key.Key_Escape)
     assert np.allclose(points(window), rest, atol=1e-4)
     assert document.history.done == ()
+
+
+@pytest.mark.parametrize("steps", [0, 1])
+@pytest.mark.parametrize("modifiers", [CTRL, CTRL | SHIFT], ids=["undo", "redo"])
+def test_undo_and_redo_in_a_drag_restore_the_face_and_end_the_drag(window, document, modifiers, steps):
+    if steps:
+        document.set_weights({"17": 0.3})
+    slider, before, done = window.expression.rows[SMILE].slider, document.shown, document.history.done
+    drag(slider, 0.1, 0.6, release=False)
+    assert document.shown != before
+    QTest.keyClick(slider, Qt.Key.Key_Z, modifiers)
+    assert (document.shown, document.history.done, slider.weight) == (before, done, 0.0)
+    move(slider, QPoint(round(0.9 * slider.width()), slider.height() // 2))
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton)
+    assert (document.shown, document.history.done, slider.weight) == (before, done, 0.0)
+    drag(slider, 0.1, 0.6)
+    assert len(document.history.done) == steps + 1
+    QTest.keyClick(slider, Qt.Key.Key_Z, CTRL)
+    assert document.shown == before
 
 
 def test_many_moves_are_few_frames(window):
