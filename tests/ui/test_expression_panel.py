@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
@@ -12,7 +12,7 @@ from app.authoring.units import with_limit
 from app.document import Document
 from app.view import View
 from facemodel.actions import Emotion
-from tests.ui.hands import drag, enter, leave
+from tests.ui.hands import drag, enter, leave, move
 from ui.panels.emotion_match import shown_strength
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.unit_text import muscle_titles, unit_matches, unit_tooltip
@@ -162,14 +162,22 @@ def test_a_drag_across_an_emotion_sets_its_strength(panel, document):
     assert len(document.history.done) == 1
 
 
-def test_escape_in_a_drag_across_an_emotion_restores_the_face(panel, document):
+@pytest.mark.parametrize("right", [False, True], ids=["esc", "right button"])
+def test_a_drag_across_an_emotion_is_taken_back(panel, document, right):
     document.set_weights({"17": 0.4})
     button = panel.emotions.buttons["surprise"]
     button.setFocus()
     drag(button, 0.2, 0.8, release=False)
     assert "26" in document.shown
-    QTest.keyClick(button, Qt.Key.Key_Escape)
+    if right:
+        QTest.mouseClick(button, Qt.MouseButton.RightButton)
+    else:
+        QTest.keyClick(button, Qt.Key.Key_Escape)
     assert document.shown == {"17": 0.4}
+    move(button, QPoint(button.width() // 2, 5))
+    QTest.mouseRelease(button, Qt.MouseButton.LeftButton)
+    assert document.shown == {"17": 0.4}
+    assert len(document.history.done) == 1
 
 
 def test_the_strength_bar_scales_the_emotion_that_is_on(panel, document):

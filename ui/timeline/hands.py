@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QMouseEvent
 
 from app.timeline.gestures import Gesture, Spot
 from facemodel.errors import RisoriusError
@@ -56,6 +56,7 @@ class Hands:
         self._first: Spot | None = None
         self._last: tuple[QPointF, Keys] | None = None
         self.gesture: Gesture | None = None
+        self._ended = False
 
     @property
     def busy(self) -> bool:
@@ -70,6 +71,14 @@ class Hands:
         self._first = self._spot(event.position(), event.modifiers())
         if self._grip.at_once:
             self._begin()
+
+    def press_right(self) -> None:
+        """The right button goes down: what is held is let go, without a trace."""
+        self._ended = self.cancel()
+
+    def offers_menu(self, event: QContextMenuEvent) -> bool:
+        """Whether a menu that is asked for may come: not over a gesture, nor by the press that ended one."""
+        return not self.busy and not (self._ended and event.reason() == QContextMenuEvent.Reason.Mouse)
 
     def move(self, event: QMouseEvent) -> None:
         """The pointer moves."""
@@ -100,13 +109,13 @@ class Hands:
             self._try(lambda: click(self._spot(event.position(), event.modifiers())))
 
     def cancel(self) -> bool:
-        """End the gesture and undo what it did; whether there was one."""
-        gesture, self.gesture = self.gesture, None
+        """Let go of what is held and undo what was done with it; whether there was anything."""
+        held, gesture, self.gesture = self.busy, self.gesture, None
         self._grip = self._last = None
         if gesture is not None:
             gesture.cancel()
             self._advise("")
-        return gesture is not None
+        return held
 
     def _begin(self) -> None:
         assert self._grip is not None

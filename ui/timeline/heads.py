@@ -100,7 +100,7 @@ class Heads(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Turn a switch over, or take hold of the head or its value."""
         if event.button() == Qt.MouseButton.RightButton:
-            self.hands.cancel()
+            self.hands.press_right()
         elif event.button() == Qt.MouseButton.LeftButton:
             placed, part = self.part_at(event.position())
             if placed is not None and part == "fold":
@@ -146,6 +146,8 @@ class Heads(QWidget):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """A menu about the line under the pointer, which is chosen first."""
+        if not self.hands.offers_menu(event):
+            return
         placed, _ = self.part_at(QPointF(event.pos()))
         if placed is not None and placed.line.key not in self._timeline.state.lines:
             self._choose(placed.line, Spot(0.0))

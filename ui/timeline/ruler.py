@@ -82,7 +82,7 @@ class Ruler(QWidget):
         if self._navigator.press(event):
             return
         if event.button() == Qt.MouseButton.RightButton:
-            self.hands.cancel()
+            self.hands.press_right()
         elif event.button() == Qt.MouseButton.LeftButton:
             self.hands.press(event)
 
@@ -113,7 +113,7 @@ class Ruler(QWidget):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """A menu about the moment under the pointer."""
-        if not self.hands.busy:
+        if self.hands.offers_menu(event):
             place = QPointF(event.pos())
             mark = mark_at(self.pane(), place.x())
             if mark and place.y() >= TIMES:

@@ -137,7 +137,7 @@ class TimeCanvas(QWidget):
         if self.navigator.press(event):
             self.setCursor(Cursor.ClosedHandCursor)
         elif event.button() == Qt.MouseButton.RightButton:
-            self.hands.cancel()
+            self.hands.press_right()
         elif event.button() == Qt.MouseButton.LeftButton:
             self.hands.press(event)
 
@@ -168,7 +168,7 @@ class TimeCanvas(QWidget):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """A menu about what is under the pointer, which is chosen first."""
-        if self.hands.busy:
+        if not self.hands.offers_menu(event):
             return
         found = self.hit(QPointF(event.pos()))
         if not self.timeline.chosen.holds(found.chosen):

@@ -54,7 +54,7 @@ class TimeField(QWidget):
         self._editor: NumberEdit | None = None
         self.setFixedSize(QSize(WIDTH, ROW))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
         self.setCursor(Qt.CursorShape.SizeHorCursor)
         self.setAccessibleName("Time of the playhead")
@@ -78,9 +78,11 @@ class TimeField(QWidget):
             self._editor.dismissed.connect(self._close)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold; the right button changes how times are written."""
+        """Take hold; the right button takes a drag back, or changes how times are written."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._pressed, self._from, self._moved = event.position(), self._timeline.playhead.time, False
+        elif event.button() == Qt.MouseButton.RightButton and self._pressed is not None:
+            self._take_back()
         elif event.button() == Qt.MouseButton.RightButton:
             now = self._timeline.state.style
             self._timeline.change(style=STYLES[(STYLES.index(now) + 1) % len(STYLES)])
@@ -106,8 +108,7 @@ class TimeField(QWidget):
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
             self.edit()
         elif event.key() == Qt.Key.Key_Escape and self._pressed is not None:
-            self._pressed = None
-            self._timeline.playhead.go(self._from)
+            self._take_back()
         else:
             event.ignore()
 
@@ -129,6 +130,10 @@ class TimeField(QWidget):
         painter.setFont(font)
         painter.setPen(QColor(theme.text))
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text)
+
+    def _take_back(self) -> None:
+        self._pressed = None
+        self._timeline.playhead.go(self._from)
 
     def _enter(self, seconds: float) -> None:
         self._close()

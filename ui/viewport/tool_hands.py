@@ -72,10 +72,10 @@ class ToolHands(QObject):
         if not self.active:
             return False
         if isinstance(event, QMouseEvent):
-            self._hear(event)
-        elif isinstance(event, QWheelEvent):
+            return self._hear(event)
+        if isinstance(event, QWheelEvent):
             return self._turn(event)
-        elif isinstance(event, QTabletEvent):
+        if isinstance(event, QTabletEvent):
             self._feel(event)
         elif isinstance(event, QKeyEvent):
             return self._press_key(event)
@@ -84,12 +84,15 @@ class ToolHands(QObject):
             self._toolbox.leave()
         return False
 
-    def _hear(self, event: QMouseEvent) -> None:
+    def _hear(self, event: QMouseEvent) -> bool:
+        """Bring the tool what the mouse does; whether it means nothing else: the right button ended a gesture."""
         left = event.button() == Qt.MouseButton.LeftButton
         alt = bool(event.modifiers() & Keys.AltModifier)
         kind = event.type()
         if kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick):
             self._drop()
+            if event.button() == Qt.MouseButton.RightButton and self._toolbox.cancel():
+                return True
             if left and not alt:
                 self._toolbox.press(self._pointer(event.position(), event.modifiers(), self._pressure))
             elif not self._toolbox.busy:
@@ -99,6 +102,7 @@ class ToolHands(QObject):
         elif kind == QEvent.Type.MouseButtonRelease and left and self._toolbox.busy:
             self.flush()
             self._toolbox.release(self._pointer(event.position(), event.modifiers(), self._pressure))
+        return False
 
     def _moved(self, event: QMouseEvent) -> None:
         if not self._toolbox.busy:

@@ -82,8 +82,10 @@ class LetterBar(QWidget):
             self._editor.dismissed.connect(self._close_editor)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of the nearest cut."""
-        if event.button() == Qt.MouseButton.LeftButton:
+        """Take hold of the nearest cut; the right button takes a drag back."""
+        if event.button() == Qt.MouseButton.RightButton:
+            self._take_back()
+        elif event.button() == Qt.MouseButton.LeftButton:
             self._chosen = self._nearest(event.position())
             self._held = abs(self.place(NAMES[self._chosen]) - event.position().x()) <= REACH
             self.update()
@@ -115,8 +117,7 @@ class LetterBar(QWidget):
         """Choose, step, type or take back."""
         text = event.text().upper()
         if event.key() == Qt.Key.Key_Escape and self._held:
-            self._held = False
-            self.cancelled.emit()
+            self._take_back()
         elif text and text in NAMES:
             self._chosen = NAMES.index(text)
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
@@ -185,7 +186,13 @@ class LetterBar(QWidget):
     def _wants(self, event: QKeyEvent) -> bool:
         plain = not event.modifiers() & ~Qt.KeyboardModifier.ShiftModifier
         arrows = event.key() in (Qt.Key.Key_Left, Qt.Key.Key_Right)
-        return self.held or (plain and (arrows or event.text().upper() in NAMES))
+        return plain and (self.held or arrows or event.text().upper() in NAMES)
+
+    def _take_back(self) -> None:
+        held, self._held = self._held, False
+        if held:
+            self.cancelled.emit()
+        self.update()
 
     def _tell(self, weight: float) -> None:
         self.previewed.emit(NAMES[self._chosen], weight)

@@ -33,7 +33,8 @@ class Drop:
 class RowDrag:
     """Mixed into an item view with a signal ``dropped(object, object)``: the row that was dragged, and a target.
 
-    The view says what a row is by `row_at` and where rows can go by `drop_at`.  Esc ends a drag without a trace.
+    The view says what a row is by `row_at` and where rows can go by `drop_at`.  Esc and the right button end a drag
+    without a trace.
     """
 
     _pressed: QPoint | None = None
@@ -48,8 +49,16 @@ class RowDrag:
         """Where a row that is let go at a place comes to stand."""
         raise NotImplementedError
 
+    def take_back(self) -> None:
+        """Leave the row in hand where it is."""
+        self._pressed = None
+        self._end_drag()
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Choose a row, which may be about to be dragged."""
+        """Choose a row, which may be about to be dragged; the right button leaves the one in hand where it is."""
+        if event.button() == Qt.MouseButton.RightButton and self._dragged is not None:
+            self.take_back()
+            return
         super().mousePressEvent(event)  # type: ignore[misc]
         left = event.button() == Qt.MouseButton.LeftButton
         self._pressed = event.position().toPoint() if left else None
@@ -83,8 +92,7 @@ class RowDrag:
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc leaves the row where it is."""
         if event.key() == Qt.Key.Key_Escape and self._dragged is not None:
-            self._pressed = None
-            self._end_drag()
+            self.take_back()
         else:
             super().keyPressEvent(event)  # type: ignore[misc]
 

@@ -47,7 +47,9 @@ class StrengthButton(FaceButton):
         """A click alone checks nothing: what is shown follows the face."""
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold."""
+        """Take hold; the right button takes a drag back."""
+        if event.button() == Qt.MouseButton.RightButton:
+            self._take_back()
         if event.button() == Qt.MouseButton.LeftButton:
             self._pressed_at = event.position().x()
             self._dragging = False
@@ -67,6 +69,8 @@ class StrengthButton(FaceButton):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """A drag is kept, a press without one is a click."""
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
         dragging, self._dragging, self._pressed_at = self._dragging, False, None
         if dragging:
             self.setDown(False)
@@ -78,11 +82,15 @@ class StrengthButton(FaceButton):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc takes a drag back."""
         if event.key() == Qt.Key.Key_Escape and self._dragging:
-            self._dragging, self._pressed_at = False, None
-            self.setDown(False)
-            self.cancelled.emit()
+            self._take_back()
         else:
             super().keyPressEvent(event)
+
+    def _take_back(self) -> None:
+        dragging, self._dragging, self._pressed_at = self._dragging, False, None
+        if dragging:
+            self.setDown(False)
+            self.cancelled.emit()
 
     def _click(self) -> None:
         self.pressed_fully.emit(self._strength != 1.0)

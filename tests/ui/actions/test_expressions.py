@@ -30,7 +30,7 @@ def row_of(panel: ActionsPanel, name: str) -> int:
     return next(row for row in range(rows.count()) if rows.item(row).data(NAME) == name)
 
 
-def drag_row(panel: ActionsPanel, name: str, over: QPoint) -> None:
+def drag_row(panel: ActionsPanel, name: str, over: QPoint, release: bool = True) -> None:
     """Drag the row of an expression to a place of the screen."""
     rows = panel.expressions.names
     start = rows.visualItemRect(rows.item(row_of(panel, name))).center()
@@ -38,7 +38,8 @@ def drag_row(panel: ActionsPanel, name: str, over: QPoint) -> None:
     QTest.mousePress(rows.viewport(), LEFT, pos=start)
     for share in (0.2, 0.6, 1.0):
         move(rows.viewport(), start + share * (end - start))
-    QTest.mouseRelease(rows.viewport(), LEFT, pos=end)
+    if release:
+        QTest.mouseRelease(rows.viewport(), LEFT, pos=end)
     QApplication.processEvents()
 
 
@@ -72,6 +73,25 @@ def test_rows_are_dragged_to_another_place_in_one_step(panel, context):
     assert names(context) == ["happiness", "surprise"]
     context.document.undo(), context.document.undo()
     assert not context.document.history.done
+
+
+@pytest.mark.parametrize("right", [False, True], ids=["esc", "right button"])
+def test_a_row_in_the_middle_of_a_drag_is_left_where_it_is(panel, context, right):
+    rows, pad = panel.expressions.names, panel.blend.pad
+    bare = pad.grab().toImage()
+    for over in (rows.viewport().mapToGlobal(rows.visualItemRect(rows.item(1)).bottomLeft()), on_pad(panel, 0.5, 0.5)):
+        drag_row(panel, "happiness", over, release=False)
+        if right:
+            QTest.mouseClick(rows.viewport(), Qt.MouseButton.RightButton, pos=rows.viewport().mapFromGlobal(over))
+        else:
+            QTest.keyClick(rows, Qt.Key.Key_Escape)
+        QTest.mouseRelease(rows.viewport(), LEFT, pos=rows.viewport().mapFromGlobal(over))
+        assert pad.grab().toImage() == bare
+    assert not context.document.history.done
+
+
+def on_pad(panel: ActionsPanel, x: float, y: float) -> QPoint:
+    return panel.blend.pad.mapToGlobal(spot(panel, x, y))
 
 
 def test_an_expression_that_is_shown_is_marked_and_enter_shows_one(panel, context):

@@ -76,6 +76,10 @@ def test_a_cut_between_letters_is_dragged_and_taken_back(panel, context):
     assert bar.letters[2] < before[2]
     QTest.keyClick(bar, Qt.Key.Key_Escape)
     assert bar.letters == before
+    drag(bar, share, share - 0.1, release=False)
+    QTest.mouseClick(bar, Qt.MouseButton.RightButton)
+    QTest.mouseRelease(bar, Qt.MouseButton.LeftButton)
+    assert bar.letters == before
     drag(bar, share, share - 0.1)
     assert unit(context, 12).letters[2] == bar.letters[2] < before[2]
     assert len(context.document.history.done) == 1

@@ -97,7 +97,16 @@ def test_picks_fit_it_and_say_what_they_miss_and_using_it_is_one_step(fitting, d
     assert same(document.project.muscles, before.muscles)
 
 
-def test_a_pick_is_dragged_and_esc_puts_it_back(fitting):
+@pytest.mark.parametrize(
+    "take_back",
+    [
+        lambda canvas, _at: QTest.keyClick(canvas, Qt.Key.Key_Escape),
+        lambda canvas, _at: QTest.keyClick(canvas, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier),
+        lambda canvas, at: QTest.mouseClick(canvas, Qt.MouseButton.RightButton, pos=at),
+    ],
+    ids=["esc", "undo", "right button"],
+)
+def test_a_pick_is_dragged_and_put_back(fitting, take_back):
     own, canvas = fitting.toolbox.bench.fitting, fitting.viewport.canvas
     pick(fitting, "pogonion")
     before = own.picked["pogonion"].copy()
@@ -107,9 +116,12 @@ def test_a_pick_is_dragged_and_esc_puts_it_back(fitting):
         move(canvas, start + QPoint(3 * step, -3 * step))
     fitting.hands.flush()
     assert not np.array_equal(own.picked["pogonion"], before)
-    QTest.keyClick(canvas, Qt.Key.Key_Escape)
+    take_back(canvas, start)
+    move(canvas, start - QPoint(9, 9))
+    fitting.hands.flush()
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start)
     assert np.array_equal(own.picked["pogonion"], before)
+    assert not own.held
     row = fitting.panels.panel("skull").fit.rows["pogonion"]
     click(row.drop)
     assert not own.picked

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 from shiboken6 import isValid
@@ -79,6 +79,14 @@ class Stage:
             move(target, start + (end - start) * step / 6, held)
         if release:
             QTest.mouseRelease(target, LEFT, held, end)
+
+    def press_right(self, place: QPoint, widget: QWidget | None = None) -> None:
+        """Press the right button, upon which the system asks for a menu."""
+        target = widget or self.panel.sheet
+        QTest.mousePress(target, Qt.MouseButton.RightButton, pos=place)
+        mouse = QContextMenuEvent.Reason.Mouse
+        QApplication.sendEvent(target, QContextMenuEvent(mouse, place, target.mapToGlobal(place)))
+        QTest.mouseRelease(target, Qt.MouseButton.RightButton, pos=place)
 
     def wheel(self, widget: QWidget, place: QPoint, notches: float, held: Qt.KeyboardModifier = NONE) -> None:
         spot = QPointF(place)

@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
+from tests.ui.hands import move
 from tests.ui.timeline.stage import ALT, CTRL, SHIFT, Stage
 
 
@@ -49,8 +50,41 @@ def test_escape_in_a_drag_puts_everything_back(stage: Stage) -> None:
 
 def test_the_right_button_ends_a_drag_too(stage: Stage) -> None:
     stage.drag(stage.at("track 12L", 1.0), stage.at("track 12L", 2.6), release=False)
-    QTest.mousePress(stage.panel.sheet, Qt.MouseButton.RightButton, pos=stage.at("track 12L", 2.6))
+    asked: list[object] = []
+    stage.panel.sheet.asked.connect(lambda *menu: asked.append(menu))
+    stage.press_right(stage.at("track 12L", 2.6))
     assert stage.curve("12L").times.tolist() == [0.5, 1.0, 2.0, 3.0]
+    assert not asked
+    move(stage.panel.sheet, stage.at("track 12L", 1.6))
+    QTest.mouseRelease(stage.panel.sheet, Qt.MouseButton.LeftButton, pos=stage.at("track 12L", 1.6))
+    assert stage.steps == ()
+    stage.press_right(stage.at("track 12L", 1.0))
+    assert asked
+
+
+def test_escape_on_a_key_that_is_held_and_not_yet_moved_lets_it_go_and_keeps_the_choice(stage: Stage) -> None:
+    stage.click(stage.at("track 12L", 1.0))
+    QTest.mousePress(stage.panel.sheet, Qt.MouseButton.LeftButton, pos=stage.at("track 12L", 1.0))
+    QTest.keyClick(stage.panel.sheet, Qt.Key.Key_Escape)
+    assert stage.timeline.chosen.keys == {("12L", 0): (1,)}
+    move(stage.panel.sheet, stage.at("track 12L", 1.8))
+    QTest.mouseRelease(stage.panel.sheet, Qt.MouseButton.LeftButton, pos=stage.at("track 12L", 1.8))
+    assert stage.curve("12L").times.tolist() == [0.5, 1.0, 2.0, 3.0]
+    QTest.keyClick(stage.panel.sheet, Qt.Key.Key_Escape)
+    assert not stage.timeline.chosen
+
+
+def test_undo_in_a_drag_puts_everything_back_and_takes_no_step(stage: Stage) -> None:
+    stage.drag(stage.at("track 17", 1.0), stage.at("track 17", 1.4))
+    steps, moved = stage.steps, stage.curve("17").times[0]
+    stage.drag(stage.at("track 12L", 1.0), stage.at("track 12L", 2.6), release=False)
+    stage.settle()
+    QTest.keyClick(stage.panel.sheet, Qt.Key.Key_Z, CTRL)
+    move(stage.panel.sheet, stage.at("track 12L", 1.6))
+    QTest.mouseRelease(stage.panel.sheet, Qt.MouseButton.LeftButton, pos=stage.at("track 12L", 1.6))
+    assert stage.curve("12L").times.tolist() == [0.5, 1.0, 2.0, 3.0]
+    assert stage.curve("17").times[0] == moved > 1.0
+    assert stage.steps == steps
 
 
 def test_a_box_chooses_across_tracks(stage: Stage) -> None:

@@ -210,3 +210,20 @@ def test_a_filter_opens_groups_and_finds_them_by_name(stage: Stage) -> None:
     assert [line.key for line in stage.view.lines if line.kind == "track"] == ["track 26"]
     QTest.keyClick(stage.panel.search, Qt.Key.Key_Escape)
     assert stage.view.layout.of("track 26") is None
+
+
+@pytest.mark.parametrize("right", [False, True], ids=["esc", "right button"])
+def test_a_drag_through_time_is_taken_back(stage: Stage, right: bool) -> None:
+    field, style = stage.transport.time, stage.timeline.state.style
+    stage.timeline.playhead.go(1.0)
+    middle = field.rect().center()
+    stage.drag(middle, middle + QPoint(40, 0), widget=field, release=False)
+    assert stage.timeline.playhead.time > 1.0
+    assert stage.window.focusWidget() is field
+    if right:
+        QTest.mouseClick(field, Qt.MouseButton.RightButton)
+    else:
+        QTest.keyClick(field, Qt.Key.Key_Escape)
+    QTest.mouseRelease(field, LEFT)
+    assert stage.timeline.playhead.time == 1.0
+    assert stage.timeline.state.style == style

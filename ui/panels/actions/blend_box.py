@@ -77,7 +77,7 @@ class BlendBox(QWidget):
         self.pad.pick(name)
         self._show_numbers()
 
-    def carry(self, name: object, over: QPoint) -> None:
+    def carry(self, name: object, over: QPoint | None) -> None:
         """An expression is dragged from the list over a place of the screen."""
         self.pad.carry(str(name), over)
 

@@ -98,7 +98,7 @@ class ExpressionRows(RowDrag, QListWidget):
     deleted(), shown_now(), copied(), pasted() : the keys Delete, Enter, Ctrl+C and Ctrl+V were pressed
     stepped(int) : Alt and an arrow were pressed, up -1 or down 1
     dropped(object, object) : the name of a row that was dragged, and the place in the list that it goes to
-    carried(object, QPoint) : a row is dragged outside the list, over a place of the screen
+    carried(object, object) : a row is dragged outside the list, over a QPoint of the screen, or None: no longer
     carried_off(object, QPoint) : it was let go there
     """
 
@@ -108,7 +108,7 @@ class ExpressionRows(RowDrag, QListWidget):
     pasted = Signal()
     stepped = Signal(int)
     dropped = Signal(object, object)
-    carried = Signal(object, QPoint)
+    carried = Signal(object, object)
     carried_off = Signal(object, QPoint)
 
     def __init__(self) -> None:
@@ -138,6 +138,11 @@ class ExpressionRows(RowDrag, QListWidget):
             self.pasted.emit()
         else:
             super().keyPressEvent(event)
+
+    def take_back(self) -> None:
+        """Leave the row in hand where it is, and off whatever it is over."""
+        self.carried.emit(self._dragged, None)
+        super().take_back()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """A row that leaves the list is carried over whatever is there."""
