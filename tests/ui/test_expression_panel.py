@@ -13,6 +13,7 @@ from app.document import Document
 from app.view import View
 from facemodel.actions import Emotion
 from tests.ui.hands import drag, enter, leave, move
+from tests.ui.test_small_parts import read
 from ui.panels.emotion_match import shown_strength
 from ui.panels.expression_panel import ExpressionPanel
 from ui.panels.unit_text import muscle_titles, unit_matches, unit_tooltip
@@ -323,3 +324,12 @@ def test_variants_of_an_emotion_are_folded_away_and_tell_when_one_is_on(panel, d
     assert document.shown["17"] == 0.5
     assert bar.strength.label == "Happiness, chin raised strength"
     assert button.width() < panel.width() / 4
+
+
+def test_a_unit_is_named_as_it_is_written_wherever_its_row_is_pointed_at(shown, patch, view, portraits):
+    name = "<b>smile</b> & wink"
+    document = Document(replace(patch, units=tuple(replace(each, name=name) for each in patch.units)))
+    row = shown(ExpressionPanel(document, view, portraits)).rows[12]
+    row.unfold(True)
+    for part in (row.split, row.clear, row.slider, *row.sides):
+        assert name.lower() in read(part.toolTip()).lower()

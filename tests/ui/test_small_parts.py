@@ -2,13 +2,18 @@
 
 import threading
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt, QThread, QTimer
+from PySide6.QtGui import Qt as TextOf
+from PySide6.QtGui import QTextDocument
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton, QWidget
 
+from ui.widgets.elided_label import ElidedLabel
 from ui.widgets.hint_card import HintCard
+from ui.widgets.plain_label import as_written
 from ui.widgets.pointer_label import PointerLabel
 from ui.window.delivery import UiThread
 from ui.window.layout import Layout, layout_from, layout_text
@@ -124,3 +129,37 @@ def test_an_unforeseen_error_is_shown_once_and_the_program_goes_on(shown, qtbot,
     assert len(boxes) == 1
     assert "a bolt came loose" in boxes[0].detailedText()
     assert [record.levelname for record in caplog.records] == ["ERROR", "ERROR"]
+
+
+def read(tip: str) -> str:
+    """Return what a tooltip says, as Qt makes it out."""
+    document = QTextDocument()
+    if TextOf.mightBeRichText(tip):
+        document.setHtml(tip)
+    else:
+        document.setPlainText(tip)
+    return document.toPlainText()
+
+
+@pytest.mark.parametrize(
+    "name", ["Smile", "Smile & wink", "<b>Smile</b>", "a<b", "<img src=x>", "&lt;Smile&gt;", "1 < 2"]
+)
+def test_a_tooltip_shows_a_name_as_it_is_written(qapp, name):
+    assert read(as_written(f"Reset {name}")) == f"Reset {name}"
+
+
+@given(name=st.text(st.characters(categories=("L", "N", "P", "S")), min_size=1, max_size=30))
+def test_a_tooltip_shows_any_name_as_it_is_written(qapp, name):
+    assert read(as_written(f"Reset {name}")) == f"Reset {name}"
+
+
+def test_the_words_beside_the_pointer_and_a_cut_line_show_a_name_as_it_is_written(shown):
+    host = QWidget()
+    host.resize(120, 80)
+    pointer, line = PointerLabel(host), ElidedLabel("A long line about <b>Smile</b>", host)
+    line.resize(60, 20)
+    shown(host)
+    pointer.say("<b>Smile</b>", QPoint(5, 5))
+    line.grab()
+    assert pointer.textFormat() == line.textFormat() == Qt.TextFormat.PlainText
+    assert read(line.toolTip()) == line.text()

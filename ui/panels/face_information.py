@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWi
 from app.document import Document
 from ui.panels.face_figures import face_figures
 from ui.theme.metrics import GRID
+from ui.widgets.plain_label import PlainLabel
 
 
 class FaceInformation(QScrollArea):
@@ -63,6 +64,6 @@ def _table(lines: tuple[tuple[str, str], ...]) -> QGridLayout:
 
 
 def _copyable(text: str) -> QLabel:
-    label = QLabel(text)
+    label = PlainLabel(text)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     return label

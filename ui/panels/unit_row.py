@@ -17,6 +17,7 @@ from ui.theme.apply import current_theme
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
 from ui.widgets.activation_slider import ActivationSlider
+from ui.widgets.plain_label import as_written
 from ui.widgets.sculpted_mark import paint_sculpted
 from ui.widgets.weight_gestures import WeightScale
 
@@ -168,7 +169,7 @@ class UnitRow(QWidget):
         line.setSpacing(2)
         for slider, side, weight in zip(self.sides, ("left", "right"), self.weights, strict=True):
             slider.setAccessibleName(f"{unit_title(self.unit)}, {side}")
-            slider.setToolTip(f"{unit_title(self.unit)}, the subject's {side}")
+            slider.setToolTip(as_written(f"{unit_title(self.unit)}, the subject's {side}"))
             slider.set_weight(weight)
             line.addWidget(slider)
         self._grid.addLayout(line, 1, 2)
@@ -203,7 +204,7 @@ def _button(glyph: str, text: str) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(glyph, quiet=True))
     button.setAutoRaise(True)
-    button.setToolTip(text)
+    button.setToolTip(as_written(text))
     button.setAccessibleName(text)
     button.setProperty("role", "small")
     button.setFixedSize(BUTTON, BUTTON)

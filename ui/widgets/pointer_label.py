@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ui.theme.metrics import GRID
+from ui.widgets.plain_label import PlainLabel
 
 
-class PointerLabel(QLabel):
+class PointerLabel(PlainLabel):
     """Lies over its parent, follows the pointer and never takes the mouse from what is below."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
+        super().__init__(parent=parent)
         self.setProperty("role", "pointer")
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.hide()

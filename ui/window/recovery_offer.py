@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.journal import Recoverable
 from ui.theme.metrics import GRID, ROW
+from ui.widgets.plain_label import as_written
 
 WIDTH = 56 * GRID
 MOST_ROWS = 6
@@ -76,7 +77,7 @@ class RecoveryOffer(QDialog):
             row = QListWidgetItem(f"{entry.name}  ·  {_spoken(entry.when)}", rows)
             row.setData(ENTRY, entry)
             row.setSizeHint(QSize(0, ROW))
-            row.setToolTip(str(entry.path or "Never saved to a file"))
+            row.setToolTip(as_written(str(entry.path or "Never saved to a file")))
         rows.setCurrentRow(0)
         rows.setFixedHeight(min(len(entries), MOST_ROWS) * ROW)
         rows.itemDoubleClicked.connect(self._accept)

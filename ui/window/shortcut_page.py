@@ -21,6 +21,7 @@ from app.actions.action import Action, shortcuts_of
 from app.settings import UserSettings
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID
+from ui.widgets.plain_label import PlainLabel
 from ui.window.action_binding import ActionBinding
 from ui.window.shortcut_keys import with_keys
 
@@ -104,7 +105,7 @@ class ShortcutPage(QDialog):
         self._lines.append(("", (heading,)))
 
     def _add_line(self, grid: QGridLayout, title: str, keys: QWidget) -> None:
-        words = QLabel(title)
+        words = PlainLabel(title)
         words.setWordWrap(True)
         keys.setFixedWidth(KEY_WIDTH)
         row = grid.rowCount()

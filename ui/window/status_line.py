@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWi
 
 from ui.theme.metrics import GRID, ROW
 from ui.widgets.elided_label import ElidedLabel
+from ui.widgets.plain_label import PlainLabel, as_written
 
 NOTICE_TIME = 6000
 """Milliseconds for which a notice stands in the place of the hint."""
@@ -36,7 +37,7 @@ class StatusLine(QStatusBar):
         self.setFixedHeight(ROW + 4)
         self._hint = ""
         self.hint = ElidedLabel()
-        self.step = QLabel()
+        self.step = PlainLabel()
         self.bar = QProgressBar()
         self.bar.setRange(0, STEPS)
         self.bar.setTextVisible(False)
@@ -46,7 +47,7 @@ class StatusLine(QStatusBar):
         self.cancel.setProperty("role", "status")
         self.cancel.setToolTip("Stop solving and keep the last face (Esc)")
         self.cancel.clicked.connect(self.cancel_asked)
-        self.kept = QLabel()
+        self.kept = PlainLabel()
         self.kept.setContentsMargins(0, 0, GRID, 0)
         self.kept.hide()
         self.state = QLabel()
@@ -91,7 +92,7 @@ class StatusLine(QStatusBar):
     def show_kept(self, text: str, tip: str) -> None:
         """What is kept safe of unsaved work, in two words, and what they mean; nothing to say if empty."""
         self.kept.setText(text)
-        self.kept.setToolTip(tip)
+        self.kept.setToolTip(as_written(tip))
         self.kept.setVisible(bool(text))
 
     def show_state(self, text: str, tip: str) -> None:

@@ -12,6 +12,7 @@ from ui.panels.unit_text import unit_title
 from ui.theme.metrics import GRID
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
+from ui.widgets.plain_label import PlainLabel
 
 WIDTH = 46 * GRID
 SHARE = NumberScale(0.0, EXAGGERATED, 1.0)
@@ -35,7 +36,7 @@ class MergePage(QDialog):
         self.merge.setDefault(True)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
-        title = QLabel(f"Merge into {unit.number} {unit_title(unit)}")
+        title = PlainLabel(f"Merge into {unit.number} {unit_title(unit)}")
         title.setProperty("role", "title")
         words = QLabel(
             "The unit then does what both did, and the other one is gone. Expressions that used it use this one."

@@ -12,6 +12,7 @@ from ui.panels.actions.unit_deeds import in_hand
 from ui.panels.telling import step
 from ui.panels.unit_text import unit_title
 from ui.theme.metrics import GRID
+from ui.widgets.plain_label import as_written
 
 CAPTION = 7 * GRID
 NUMBER = 7 * GRID
@@ -41,7 +42,7 @@ class UnitHead(QWidget):
         _put(self.number, str(unit.number))
         _put(self.name, unit_title(unit))
         _put(self.note, one_line(unit.note))
-        self.note.setToolTip(unit.note)
+        self.note.setToolTip(as_written(unit.note))
         self.group.setCurrentIndex(self.group.findData(unit.group))
 
     def focus_name(self) -> None:

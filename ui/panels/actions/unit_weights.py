@@ -19,6 +19,7 @@ from ui.panels.unit_text import muscle_titles
 from ui.theme.icons import icon
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
+from ui.widgets.plain_label import as_written
 
 USUAL_MOST = 5.0
 """Activation at the end of a bar; more can be typed into the muscle's own strength."""
@@ -135,7 +136,7 @@ class UnitWeights(QWidget):
         remove.setIcon(icon("close", quiet=True))
         remove.setProperty("role", "small")
         remove.setFixedSize(BUTTON, BUTTON)
-        remove.setToolTip(f"Let go of {titles.get(name, name)}")
+        remove.setToolTip(as_written(f"Let go of {titles.get(name, name)}"))
         remove.setAccessibleName(f"Let go of {titles.get(name, name)}")
         remove.clicked.connect(lambda: self._change(partial(_let_go, muscle=name), f"Take {name} out of"))
         self.weights[name], self.removers[name] = bar, remove

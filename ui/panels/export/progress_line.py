@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 
 from ui.theme.metrics import GRID
+from ui.widgets.plain_label import PlainLabel
 
 STEPS = 1000
 TELLING = 0.02
@@ -24,7 +25,7 @@ class ProgressLine(QWidget):
         self.bar.setTextVisible(False)
         self.bar.setFixedHeight(GRID - 4)
         self.bar.setAccessibleName("Progress of the export")
-        self.text = QLabel()
+        self.text = PlainLabel()
         self.text.setWordWrap(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -28,6 +28,7 @@ from facemodel.project import Project
 from facemodel.projects import new_project
 from facemodel.solution import Progress
 from ui.theme.metrics import GRID
+from ui.widgets.plain_label import PlainLabel
 from ui.window.delivery import UiThread
 from ui.window.dialogs import ask_path
 
@@ -95,7 +96,7 @@ class FittingPage(QDialog):
         self.keeping.setAccessibleName("Own muscles")
         for kept, title in KEEPING.items():
             self.keeping.addItem(title, kept)
-        self.report = QLabel()
+        self.report = PlainLabel()
         self.report.setWordWrap(True)
         self.report.setProperty("role", "muted")
         self.report.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -161,7 +162,7 @@ class FittingPage(QDialog):
         self.report.style().polish(self.report)
 
     def _lay_out(self) -> None:
-        title = QLabel(f"Fit muscles to {self._project.face.title}")
+        title = PlainLabel(f"Fit muscles to {self._project.face.title}")
         title.setProperty("role", "title")
         words = QLabel(
             "They are carried by landmarks, scaled differently in width, height and depth, and laid on bone and skin "

@@ -17,6 +17,7 @@ from ui.panels.muscles.parameter_bars import ParameterBars
 from ui.panels.muscles.ring_form import RingForm
 from ui.theme.metrics import GRID
 from ui.widgets.number_bar import NumberBar
+from ui.widgets.plain_label import PlainLabel
 
 LAY = (
     "take the fibre tool (N), press on the skull and drag to the skin; or take the ring tool (Shift+N) and draw a "
@@ -132,7 +133,7 @@ class MuscleProperties(QWidget):
 
 
 def _quiet(text: str) -> QLabel:
-    label = QLabel(text)
+    label = PlainLabel(text)
     label.setProperty("role", "muted")
     label.setWordWrap(True)
     return label

@@ -30,6 +30,7 @@ from ui.panels.muscles.tree_cells import (
 from ui.theme.metrics import GRID
 from ui.viewport.overlays.muscle_colours import GROUPS as GROUPS_SEEN
 from ui.viewport.overlays.muscle_colours import OTHER
+from ui.widgets.plain_label import as_written
 
 CHIP = 22
 SIDE_NAMES = {"L": "the subject’s left", "R": "the subject’s right", "M": "across the midline"}
@@ -197,14 +198,14 @@ class MuscleTree(QTreeWidget):
         heading = QTreeWidgetItem(self, [QUIET_TITLES.get(group, group.capitalize())])
         heading.setData(NAME, GROUP, group)
         heading.setData(NAME, COLOUR, QColor.fromRgbF(*GROUPS_SEEN.get(group, OTHER)).name())
-        heading.setToolTip(NAME, f"Click to select all muscles of this group ({group})")
+        heading.setToolTip(NAME, as_written(f"Click to select all muscles of this group ({group})"))
         keys = tuple(muscle.key for muscles in rows.values() for muscle in muscles)
         for column in (NAME, EYE, LOCK):
             heading.setData(column, KEYS, keys)
         for muscles in rows.values():
             row = QTreeWidgetItem(heading, [muscles[0].title])
             row.setData(NAME, KEYS, tuple(muscle.key for muscle in muscles))
-            row.setToolTip(NAME, f"{muscles[0].title} ({muscles[0].name})")
+            row.setToolTip(NAME, as_written(f"{muscles[0].title} ({muscles[0].name})"))
             row.setData(NAME, COLOUR, muscles[0].colour)
             for column in (EYE, LOCK):
                 row.setData(column, KEYS, row.data(NAME, KEYS))
@@ -213,7 +214,7 @@ class MuscleTree(QTreeWidget):
                 row.setText(column, "•" if muscle.side == "M" else muscle.side)
                 row.setData(column, KEYS, (muscle.key,))
                 row.setData(column, SIDE, muscle.side)
-                row.setToolTip(column, f"{muscle.title}, {SIDE_NAMES[muscle.side]}")
+                row.setToolTip(column, as_written(f"{muscle.title}, {SIDE_NAMES[muscle.side]}"))
         heading.setExpanded(group not in self._folded)
 
     def _headings(self) -> Iterator[QTreeWidgetItem]:

@@ -10,6 +10,7 @@ from app.tools.tool import Bench
 from ui.panels.skull.deeds import import_skull, use_template
 from ui.panels.tissue.choices import Buttons
 from ui.theme.metrics import GRID
+from ui.widgets.plain_label import PlainLabel
 
 
 class BoneBox(QWidget):
@@ -36,7 +37,7 @@ class BoneBox(QWidget):
             ),
             2,
         )
-        self.step = QLabel()
+        self.step = PlainLabel()
         self.step.setProperty("role", "muted")
         self.stop = QPushButton("Cancel")
         self.stop.clicked.connect(bench.importing.stop)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QSize, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.bone_watch import BoneWatch
 from facemodel.skull.findings import Findings
@@ -12,6 +12,7 @@ from fem.types import FloatArray, IntArray
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ICON
 from ui.widgets.glyph import Glyph
+from ui.widgets.plain_label import PlainLabel
 
 WELL, WRONG, PENDING = ("check", "ok"), ("alert-circle-outline", "error"), ("dots-horizontal", "muted")
 """Glyphs and their colour."""
@@ -95,7 +96,7 @@ class _Line(QWidget):
         super().__init__()
         self._vertices: IntArray = np.zeros(0, dtype=np.int64)
         self.glyph = Glyph("dots-horizontal")
-        self.words = QLabel()
+        self.words = PlainLabel()
         self.words.setWordWrap(True)
         self.show_me = QToolButton()
         self.show_me.setIcon(icon("image-filter-center-focus"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
@@ -88,7 +90,7 @@ class FitPage(QWidget):
         fitting = self._fitting
         if fitting.guest is None:
             return
-        self.title.setText(f"<b>{fitting.guest.title}</b>")
+        self.title.setText(f"<b>{escape(fitting.guest.title)}</b>")
         self.account.setText(f"{fitting.guest.bone.account}.")
         missing = [name for name in fitting.guest.targets if name not in fitting.picked]
         if fitting.active in fitting.picked and not missing:

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -34,6 +33,7 @@ from ui.timeline.dialogs.rest_row import RestRow
 from ui.timeline.inspector.page import push_button
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
+from ui.widgets.plain_label import PlainLabel
 
 REST = 200
 """Milliseconds after an edit until the capture is mapped anew: ten minutes of it take a while."""
@@ -73,8 +73,8 @@ class MappingPage(QDialog):
         self.smoothing.set_value(self.table.mapping.smoothing)
         self.start.set_value(capture.start)
         self.rest = None if capture.rest is None else RestRow(capture.duration, capture.rest)
-        self.notes = QLabel()
-        self.name = QLabel()
+        self.notes = PlainLabel()
+        self.name = PlainLabel()
         self._timer = QTimer(self, singleShot=True, interval=REST)
         self._timer.timeout.connect(self.preview)
         self._lay_out(path)
@@ -183,11 +183,11 @@ class MappingPage(QDialog):
 
     def _lay_out(self, path: Path) -> None:
         capture = self._capture
-        title = QLabel(path.name)
+        title = PlainLabel(path.name)
         title.setProperty("role", "title")
         seconds = f"{capture.duration:.1f} s" if capture.duration < 60 else f"{capture.duration / 60:.1f} min"
         frames = f"{len(capture.values):,} frames at {capture.rate:g} a second, {seconds}"
-        about = QLabel(f"{KIND_TITLES[capture.kind]} · {counted(len(capture.channels), 'channel')} · {frames}")
+        about = PlainLabel(f"{KIND_TITLES[capture.kind]} · {counted(len(capture.channels), 'channel')} · {frames}")
         about.setProperty("role", "muted")
         self.name.setText(self.table.mapping.name)
         self.notes.setWordWrap(True)

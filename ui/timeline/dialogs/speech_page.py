@@ -21,6 +21,7 @@ from ui.timeline.dialogs.aside import stand_aside
 from ui.timeline.inspector.page import push_button
 from ui.widgets.number_bar import NumberBar
 from ui.widgets.number_scale import NumberScale
+from ui.widgets.plain_label import PlainLabel
 
 LENGTH = NumberScale(0.0, 20.0, 0.0, "s", bend=1.6)
 
@@ -60,7 +61,7 @@ class SpeechPage(QDialog):
         self.text = QPlainTextEdit()
         self.text.setAccessibleName("What is said")
         self.length = NumberBar("Length (0: as long as it takes)", LENGTH)
-        self.complaint = QLabel()
+        self.complaint = PlainLabel()
         self.complaint.setWordWrap(True)
         self.complaint.setProperty("role", "error")
         self.complaint.hide()

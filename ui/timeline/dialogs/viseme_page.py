@@ -35,6 +35,7 @@ from ui.timeline.dialogs.aside import stand_aside
 from ui.timeline.inspector.field import FieldBar
 from ui.timeline.inspector.page import push_button
 from ui.widgets.number_scale import NumberScale
+from ui.widgets.plain_label import PlainLabel
 
 DOMINANCE = NumberScale(0.0, 1.0, 0.5)
 
@@ -66,7 +67,7 @@ class VisemePage(QDialog):
         self.list.setCurrentRow(1 if self.list.count() > 1 else 0)
         self.dominance = FieldBar(timeline, "Dominance", DOMINANCE, self._dominance, self._with_dominance)
         self.closes = QCheckBox("The lips have to meet")
-        self.complaint = QLabel()
+        self.complaint = PlainLabel()
         self.complaint.setWordWrap(True)
         self.complaint.setProperty("role", "error")
         self._lay_out()

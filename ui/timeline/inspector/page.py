@@ -11,6 +11,7 @@ from app.timeline.timeline import Timeline
 from ui.theme.icons import icon
 from ui.theme.metrics import GRID, ROW
 from ui.timeline.inspector.field import FieldBar
+from ui.widgets.plain_label import PlainLabel
 
 
 class Page(QWidget):
@@ -35,7 +36,7 @@ class Page(QWidget):
         self._rows = QVBoxLayout(self)
         self._rows.setContentsMargins(GRID, GRID, GRID, GRID)
         self._rows.setSpacing(2)
-        self.heading = QLabel(title.upper())
+        self.heading = PlainLabel(title.upper())
         self.heading.setProperty("role", "heading")
         self._rows.addWidget(self.heading)
         self._rows.addSpacing(4)
@@ -65,7 +66,7 @@ class Page(QWidget):
 
     def caption(self, text: str) -> QLabel:
         """A quiet line of text."""
-        label = QLabel(text)
+        label = PlainLabel(text)
         label.setProperty("role", "muted")
         label.setWordWrap(True)
         self._rows.insertWidget(self._rows.count() - 1, label)

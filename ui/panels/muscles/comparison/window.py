@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from app.actions.context import Context
 from app.jobs import Failure, Job
@@ -23,6 +23,7 @@ from ui.theme.metrics import GRID
 from ui.viewport.colour_map import cividis
 from ui.viewport.surface import ByteArray
 from ui.widgets.legend_card import Legend, LegendScale
+from ui.widgets.plain_label import PlainLabel
 from ui.window.delivery import UiThread
 
 SETTLED = 200
@@ -53,9 +54,9 @@ class ComparisonWindow(QDialog):
         self.drawing: Job[PictureAsked, ByteArray] = Job(drawn, self._thread.deliver)
         self._waiting: list[PictureAsked] = []
         self.cards: dict[Model, ModelCard] = {}
-        self.title = QLabel()
+        self.title = PlainLabel()
         self.title.setProperty("role", "title")
-        self.words = QLabel()
+        self.words = PlainLabel()
         self.words.setProperty("role", "muted")
         self.words.setWordWrap(True)
         self.bar = QProgressBar()
