@@ -14,6 +14,7 @@ from app.actions.paths import folder, with_suffix
 from app.authoring.importing import with_sound, with_spoken
 from app.authoring.recordings import capture_from, solved_basis
 from app.jobs import Deliver, Failure, Job
+from app.timeline.sounds import shortage
 from app.timeline.timeline import Timeline
 from facemodel.animation.capture import Capture
 from facemodel.animation.evaluation import sampled
@@ -183,7 +184,7 @@ class Exchange:
         document = self._timeline.document
         home = None if document.path is None else document.path.parent
         document.edit(with_sound(document.project, path, sound, home, self._timeline.playhead.time), "Import sound")
-        self._note((), f"{path.name} plays along from here on.")
+        self._note((), shortage(path.name, sound) or f"{path.name} plays along from here on.")
 
     def _written(self, path: Path) -> None:
         self._context.host.show_message(f"Exported {path.name}")

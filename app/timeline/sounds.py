@@ -81,6 +81,14 @@ class SoundShelf:
         self.changed.emit()
 
 
+def shortage(name: str, sound: Sound) -> str:
+    """What to say of a sound whose file is cut short; nothing of a whole one."""
+    if not sound.missing:
+        return ""
+    there, promised = sound.duration, sound.duration + sound.missing
+    return f"“{name}” is cut short: {there:.2f} of {promised:,.2f} s are there and play; save it again for the rest."
+
+
 def _read(path: Path, progress: Progress) -> Heard:
     progress(f"Reading {path.name}", 0.0)
     sound = read_sound(path)

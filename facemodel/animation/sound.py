@@ -24,10 +24,12 @@ class Sound:
     ----------
     samples : (N, channels) float32, -1 to 1
     rate : samples per second
+    missing : seconds that should follow and that its file, which is cut short, does not hold
     """
 
     samples: Float32Array
     rate: int
+    missing: float = 0.0
 
     @property
     def duration(self) -> float:

@@ -26,6 +26,9 @@ SLOWEST, FASTEST = 4000, 384_000
 
 MOST_CHANNELS = 32
 
+FORMAT = 14
+"""Bytes at the beginning of the format of a WAV file that say how it is sampled."""
+
 AS_WAV = "save it as a WAV file of 16-bit PCM"
 
 SCALES: dict[str, tuple[float, float]] = {"u1": (128.0, 128.0), "i2": (0.0, 2.0**15), "i4": (0.0, 2.0**31)}
@@ -35,8 +38,12 @@ BROKEN = (ValueError, TypeError, EOFError, LookupError, ArithmeticError, NameErr
 """What the reader raises for files that are no whole WAV."""
 
 
+UNKNOWN = (0, 0xFFFF_FFFF)
+"""Bytes of sound that a file says it holds whose writer did not know yet, and which goes on to its end."""
+
+
 def read_sound(path: Path) -> Sound:
-    """A sound from a WAV file of integers or floats.
+    """A sound from a WAV file of integers or floats; of one that is cut short, what is there.
 
     Raises
     ------
@@ -60,7 +67,8 @@ def sound_of(data: bytes) -> Sound:
     """
     if data[:4] not in (b"RIFF", b"RIFX", b"RF64") or data[8:12] != b"WAVE":
         raise DamageError("the file", "is no WAV file", AS_WAV)
-    rate, samples = _read(data)
+    whole_frames, missing = _cut_short(data)
+    rate, samples = _read(whole_frames)
     if not len(samples):
         raise DamageError("the file", "holds no sound", "record again")
     if not SLOWEST <= rate <= FASTEST:
@@ -76,7 +84,22 @@ def sound_of(data: bytes) -> Sound:
     shaped = whole.reshape(len(whole), -1)
     if shaped.shape[1] > MOST_CHANNELS:
         raise DamageError("the file", f"has {shaped.shape[1]} channels and at most {MOST_CHANNELS} are read", AS_WAV)
-    return Sound(shaped, int(rate))
+    return Sound(shaped, int(rate), missing)
+
+
+def _cut_short(data: bytes) -> tuple[bytes, float]:
+    """The file without a last frame that is not whole, and how many seconds it lacks of what it says it holds."""
+    order, at, frame, per_second = ">" if data[:4] == b"RIFX" else "<", 12, 1, 0
+    while at + 8 <= len(data):
+        name, size = struct.unpack_from(f"{order}4sI", data, at)
+        at += 8
+        there = len(data) - at
+        if name == b"fmt " and there >= FORMAT:
+            per_second, frame = struct.unpack_from(f"{order}IH", data, at + 8)
+        if name == b"data" and size > there and size not in UNKNOWN and frame and per_second:
+            return data[: at + there - there % frame], (size - there) / per_second
+        at += size + size % 2
+    return data, 0.0
 
 
 def _read(data: bytes) -> tuple[int, NDArray[Any]]:

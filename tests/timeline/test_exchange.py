@@ -1,5 +1,6 @@
 """Captures, phonemes and sounds come in and weights go out; what is wrong is said in one sentence, nothing is lost."""
 
+import struct
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,7 @@ from app.timeline.sounds import SoundShelf
 from app.timeline.timeline import Timeline
 from facemodel.animation.capture import Capture
 from facemodel.animation.sound import Sound
-from facemodel.io.audio import write_sound
+from facemodel.io.audio import read_sound, write_sound
 from facemodel.io.weights.writing import WEIGHT_EXPORTS
 from facemodel.solve import solve_project
 from tests.app.desk import Desk
@@ -161,6 +162,38 @@ def test_typing_and_visemes_open_their_dialogs(act, asked: Asked) -> None:
     act("timeline.type-speech")
     act("timeline.visemes")
     assert asked.opened == ["speech", "visemes"]
+
+
+@pytest.mark.parametrize("channels", [1, 2])
+@pytest.mark.parametrize("there", [20, 21, 4000])
+def test_of_a_sound_that_is_cut_short_what_is_there_plays_and_it_is_said(
+    act, timeline: Timeline, desk: Desk, tmp_path: Path, channels: int, there: int
+) -> None:
+    file = tmp_path / "voice.wav"
+    write_sound(Sound(np.full((4000, channels), 0.5, np.float32), 8000), file)
+    written = file.read_bytes()
+    head = written.index(b"data") + 4
+    promised = struct.pack("<I", 2_000_000_000)
+    file.write_bytes(written[:head] + promised + written[head + 4 : head + 4 + there])
+    act("timeline.import-sound", file)
+    sound = read_sound(file)
+    assert len(sound.samples) == there // (2 * channels)
+    assert sound.missing == pytest.approx((2_000_000_000 - there) / (16_000 * channels))
+    assert timeline.animation.audio is not None
+    assert len(desk.messages[-1].split(". ")) == 1
+    assert desk.messages[-1].startswith("“voice.wav” is cut short: 0.")
+    assert desk.messages[-1].endswith("s are there and play; save it again for the rest.")
+
+
+@pytest.mark.parametrize("size", [0xFFFF_FFFF, 8000])
+def test_a_sound_of_which_nothing_is_missing_or_said_comes_in_without_a_word(tmp_path: Path, size: int) -> None:
+    file = tmp_path / "voice.wav"
+    write_sound(Sound(np.full((4000, 1), 0.5, np.float32), 8000), file)
+    written = file.read_bytes()
+    head = written.index(b"data") + 4
+    file.write_bytes(written[:head] + struct.pack("<I", size) + written[head + 4 :])
+    sound = read_sound(file)
+    assert (len(sound.samples), sound.missing) == (4000, 0.0)
 
 
 def test_the_shelf_reads_the_sound_of_the_animation(timeline: Timeline, act, tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from functools import partial
 from app.timeline.chosen import Chosen
 from app.timeline.moving import Edited
 from app.timeline.readings import Reading
-from app.timeline.sounds import SoundShelf
+from app.timeline.sounds import SoundShelf, shortage
 from app.timeline.timeline import Timeline
 from facemodel.animation.clip import Animation
 from ui.timeline.inspector.field import FieldBar
@@ -41,7 +41,8 @@ class AudioPage(Page):
         heard = self._shelf.heard
         if heard is not None:
             channels = {1: "mono", 2: "stereo"}.get(heard.sound.samples.shape[1], "several channels")
-            self.what.setText(f"{heard.path.name}\n{heard.sound.duration:.2f} s · {heard.sound.rate:,} Hz · {channels}")
+            name = shortage(heard.path.name, heard.sound) or heard.path.name
+            self.what.setText(f"{name}\n{heard.sound.duration:.2f} s · {heard.sound.rate:,} Hz · {channels}")
         else:
             self.what.setText(self._shelf.complaint or "Reading …")
 
