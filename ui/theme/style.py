@@ -105,6 +105,7 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QTableView::indicator { width: 12px; height: 12px; border: 1px solid $muted; border-radius: 2px; background: $raised; }
 QTableView::indicator:checked { background: $accent; border-color: $accent; }
 QListView, QTreeView, QTableView { background: $panel; border: none; outline: none; }
+QTableView::item { padding: 0 5px; }
 QListView::item { min-height: ${row}px; padding: 0 8px; }
 QListView::item:hover { background: $hover; }
 QListView::item:selected, QTableView::item:selected { background: $chosen; color: $text; }

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
@@ -215,3 +215,27 @@ def test_the_moment_of_rest_is_looked_at_and_chosen(
 
 def test_weights_are_not_asked_when_the_face_was_at_rest(page: MappingPage) -> None:
     assert page.rest is None
+
+
+def ink(widget: QWidget, area: QRect) -> tuple[int, int]:
+    """Return the first and the last column of an area that something is written in, pixels."""
+    picture = widget.grab(area).toImage()
+    ground = picture.pixelColor(1, 1)
+    written = [
+        x
+        for x in range(picture.width())
+        if any(picture.pixelColor(x, y) != ground for y in range(4, area.height() - 4))
+    ]
+    return written[0], written[-1]
+
+
+def test_headings_stand_over_what_is_in_their_columns(page: MappingPage) -> None:
+    head, view = page.view.horizontalHeader(), page.view
+    view.selectionModel().clear()
+    QApplication.processEvents()
+    for column, end in ((0, 0), (1, 0), (GAIN, 1)):
+        above = QRect(head.sectionViewportPosition(column), 0, head.sectionSize(column), head.height())
+        cells = [view.visualRect(page.table.index(row, column)) for row in range(2)]
+        below = [ink(view.viewport(), cell)[end] for cell in cells]
+        # One letter leaves a pixel or so more free at its side than another one does.
+        assert ink(head.viewport(), above)[end] == pytest.approx(below[0], abs=2)
