@@ -94,5 +94,6 @@ class Solving:
         """After every step: solve if it made the solution stale, stop if it holds again; poses change nothing."""
         if not self.document.stale:
             self.job.cancel()
+            self._asked = None
         elif self._asked is None or not same_fields(self._asked, self.document.project):
             self.solve()

@@ -140,6 +140,24 @@ def test_after_cancelling_a_pose_does_not_start_the_solver_again(document: Docum
     job.close()
 
 
+def test_an_edit_that_is_undone_before_it_is_solved_and_done_again_is_solved(
+    document: Document, project: Project
+) -> None:
+    document.accept(solve_project(project), project)
+    job = SolveJob(EditingSolve(), lambda _: None)
+    solving = Solving(document, job)
+    started: list[object] = []
+    job.started.connect(started.append)
+    document.edit(wider(project), "Widen")
+    document.undo()
+    assert not document.stale
+    document.redo()
+    assert document.stale
+    assert not solving.wanted
+    assert len(started) == 2
+    job.close()
+
+
 def test_a_face_without_units_is_solved_and_has_nothing_to_move(document: Document, project: Project) -> None:
     document.edit(replace(project, units=(), emotions=()), "Delete all units")
     solution = solve_project(document.project)

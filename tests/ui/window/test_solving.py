@@ -1,12 +1,14 @@
 """Solving in the background, as seen from the window."""
 
 import threading
+from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
 
+from app.solving import EditingSolve
 from facemodel.errors import FaceError
 from tests.ui.hands import drag, let_go
 from tests.ui.window.seen import picture
@@ -89,3 +91,18 @@ def test_left_alone_it_takes_a_portrait_of_every_expression(window, document, qt
     qtbot.waitUntil(lambda: window.portraits.complete)
     names = [NEUTRAL, *(emotion.name for emotion in document.project.emotions)]
     assert all(window.portraits.picture(name) is not None for name in names)
+
+
+def test_a_finer_mesh_asked_for_while_solving_and_undone_again_is_what_is_shown(open_window, document, qtbot):
+    window = open_window(document, EditingSolve())
+    for density in (2, 3, 1):
+        settings = replace(document.project.settings, density=density)
+        document.edit(replace(document.project, settings=settings), "Density")
+        drag(window.expression.rows[17].slider, 0.1, 0.4)
+    qtbot.waitUntil(lambda: not document.stale and not window.context.solving.job.running)
+    for density in (1, 3, 2):
+        qtbot.waitUntil(lambda: not document.stale and window.viewport.shows_face)
+        qtbot.waitUntil(lambda d=density: document.solution.basis.display.density == d)
+        picture(window)
+        assert window.viewport.scene.figure.posed.basis is document.solution.basis
+        document.undo(), document.undo()
