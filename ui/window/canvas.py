@@ -92,6 +92,8 @@ class Canvas(QtInteractor):
         at the same place in memory later would be taken for a surface.
         """
         self._occlusion.release()
+        # A button that is still held goes up over an interactor that is no more; what is disabled hears no mouse.
+        self.setEnabled(False)
         super().close()
         self._forget_context()
 

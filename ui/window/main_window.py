@@ -37,7 +37,7 @@ from ui.window.dock import Dock
 from ui.window.drawing_quality import DrawingQuality
 from ui.window.file_drops import FileDrops
 from ui.window.first_hints import FirstHints
-from ui.window.held_hand import takes_back
+from ui.window.held_hand import end_drag, takes_back
 from ui.window.host import WindowHost
 from ui.window.layout import Layout, layout_from, layout_text
 from ui.window.menus import fill_menus
@@ -145,7 +145,8 @@ class MainWindow(QMainWindow):
         return super().event(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask about an export under way and unsaved changes, remember the layout, stop what is being solved."""
+        """End a drag, ask about an export and unsaved changes, remember the layout, stop what is being solved."""
+        end_drag()
         if not (self.context.host.may_stop_export() and may_leave(self.context)):
             event.ignore()
             return

@@ -91,3 +91,13 @@ def test_the_exaggeration_reaches_the_skin(window, document):
     full = np.linalg.norm(points(window) - rest, axis=1).max()
     drag(window.expression.rows[SMILE].slider, 0.0, 0.6, CTRL)
     assert np.linalg.norm(points(window) - rest, axis=1).max() > 1.3 * full
+
+
+def test_closing_the_window_in_a_drag_asks_nothing_and_keeps_nothing(window, document):
+    slider = window.expression.rows[SMILE].slider
+    drag(slider, 0.1, 0.6, release=False)
+    assert window.close()
+    move(slider, QPoint(round(0.9 * slider.width()), slider.height() // 2))
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton)
+    assert document.shown == {}
+    assert document.history.done == ()

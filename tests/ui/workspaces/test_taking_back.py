@@ -116,3 +116,14 @@ def test_escape_leaves_no_trace_and_the_rest_of_the_drag_does_nothing(held):
     assert not held.window.toolbox.busy
     assert held.left_no_trace
     assert the_rest_of_the_drag_does_nothing(held)
+
+
+def test_a_window_that_is_closed_in_the_middle_of_a_gesture_closes_without_it_and_asks_nothing(held):
+    document = held.window.context.document
+    assert held.window.close()
+    assert document.project is held.project
+    assert document.history.done == ()
+    assert not document.held
+    move(held.canvas, held.place + WAY)
+    QTest.mouseRelease(held.canvas, LEFT, pos=held.place + WAY)
+    QTest.qWait(50)
