@@ -28,7 +28,7 @@ BESIDE = 1.0
 CORNER = (0.7, 0.95)
 """Share of half the mouth from which on lips come out of the teeth together, and from where on entirely so."""
 
-FADING = 0.25
+FADING = 0.06
 """Share of the depth of what is kept over which it is less and less so."""
 
 SMALLEST = 1e-6
