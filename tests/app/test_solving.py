@@ -126,36 +126,39 @@ def test_names_and_notes_are_not_solved_again_but_another_order_is(solving: Solv
     assert document.solution.basis.names[0] == "26"
 
 
-def test_after_cancelling_a_pose_does_not_start_the_solver_again(document: Document, project: Project) -> None:
+@pytest.fixture
+def waiting(document: Document, project: Project) -> Iterator[Solving]:
+    """A document that is solved, whose next solve begins and is never heard of again."""
     document.accept(solve_project(project), project)
     job = SolveJob(EditingSolve(), lambda _: None)
-    solving = Solving(document, job)
-    started: list[object] = []
-    job.started.connect(started.append)
-    document.edit(wider(project), "Widen")
-    job.cancel()
-    document.set_weights({"17": 0.5})
-    assert len(started) == 1
-    assert solving.wanted
+    yield Solving(document, job)
     job.close()
 
 
-def test_an_edit_that_is_undone_before_it_is_solved_and_done_again_is_solved(
-    document: Document, project: Project
+def test_after_cancelling_a_pose_does_not_start_the_solver_again(
+    waiting: Solving, document: Document, project: Project
 ) -> None:
-    document.accept(solve_project(project), project)
-    job = SolveJob(EditingSolve(), lambda _: None)
-    solving = Solving(document, job)
     started: list[object] = []
-    job.started.connect(started.append)
+    waiting.job.started.connect(started.append)
+    document.edit(wider(project), "Widen")
+    waiting.job.cancel()
+    document.set_weights({"17": 0.5})
+    assert len(started) == 1
+    assert waiting.wanted
+
+
+def test_an_edit_that_is_undone_before_it_is_solved_and_done_again_is_solved(
+    waiting: Solving, document: Document, project: Project
+) -> None:
+    started: list[object] = []
+    waiting.job.started.connect(started.append)
     document.edit(wider(project), "Widen")
     document.undo()
     assert not document.stale
     document.redo()
     assert document.stale
-    assert not solving.wanted
+    assert not waiting.wanted
     assert len(started) == 2
-    job.close()
 
 
 def test_a_face_without_units_is_solved_and_has_nothing_to_move(document: Document, project: Project) -> None:
