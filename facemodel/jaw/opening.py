@@ -9,6 +9,7 @@ import numpy as np
 from facemodel.errors import FaceError
 from facemodel.face import Face, Part
 from facemodel.jaw.motion import jaw_motion
+from facemodel.skull.placement import carried
 from fem.types import Float32Array, FloatArray
 
 BESIDE, BEHIND = 6.0, 6.0
@@ -49,6 +50,6 @@ def opened(face: Face, degrees: float, slide: float) -> float:
 
     def places(row: Part) -> FloatArray:
         rest = row.mesh.positions
-        return rest @ motion[:3, :3].T + motion[:3, 3] if row.carrier == "jaw" else rest
+        return carried(rest, motion) if row.carrier == "jaw" else rest
 
     return incisors_apart(face, places)

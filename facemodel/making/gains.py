@@ -53,9 +53,9 @@ def find_gains(face: Face, muscles: tuple[Muscle, ...]) -> Atlas:
 def _wide_open(face: Face) -> float:
     """The gain of the mouth stretch that opens a face wide, or as far as a jaw goes."""
     jaw = next(unit.jaw for unit in action_units() if unit.number == STRETCH and unit.jaw)
-    if opened(face, LARGEST_TURN, jaw.slide) < OPEN_WIDE:
-        return LARGEST_TURN / jaw.degrees
     most = LARGEST_TURN / jaw.degrees
+    if opened(face, LARGEST_TURN, jaw.slide) < OPEN_WIDE:
+        return most
     return float(brentq(lambda gain: opened(face, gain * jaw.degrees, jaw.slide) - OPEN_WIDE, 0.0, most))
 
 
