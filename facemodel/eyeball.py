@@ -13,6 +13,7 @@ import numpy as np
 
 from facemodel.face import Eye
 from facemodel.mesh import Mesh, submesh
+from facemodel.smooth import smooth_step
 from fem.types import FloatArray, IntArray
 
 IRIS_RADIUS = 5.9
@@ -95,8 +96,7 @@ class _Profile:
 
 def _smooth(x: FloatArray, low: float, high: float) -> FloatArray:
     """0 below ``low``, 1 above ``high``, with level ends."""
-    t = np.clip((x - low) / (high - low), 0.0, 1.0)
-    return t * t * (3 - 2 * t)
+    return smooth_step((x - low) / (high - low))
 
 
 def _sclera(ball: float) -> _Profile:

@@ -6,6 +6,7 @@ import numpy as np
 
 from facemodel.face import Face, Part
 from facemodel.motions import TongueMotion
+from facemodel.smooth import smooth_step
 from fem.types import FloatArray
 
 ROOTED = 0.15
@@ -52,7 +53,7 @@ def tongue_places(face: Face, part: Part, motion: TongueMotion) -> FloatArray:
     moved[:, 2] += motion.out * share**1.5
     edge, front = _lower_edge(face, rest)
     out = min(max(motion.out, 0.0) / READY, 1.0)
-    climbed = _eased((moved[:, 2] - (front - CLIMB)) / CLIMB) * out
+    climbed = smooth_step((moved[:, 2] - (front - CLIMB)) / CLIMB) * out
     middle = _middle(rest)
     thin = 1 - (1 - FLAT) * climbed
     rise = np.maximum(edge + OVER_TEETH + FLAT * (middle - _underside(rest)) - middle, 0.0)
@@ -89,8 +90,3 @@ def _underside(rest: FloatArray) -> FloatArray:
     """Height (n,) of the tongue's underside along that curve."""
     middle = _middle(rest)
     return np.asarray(middle + np.minimum(rest[:, 1] - middle, 0.0).min())
-
-
-def _eased(share: FloatArray) -> FloatArray:
-    t = np.clip(share, 0.0, 1.0)
-    return np.asarray(t * t * (3 - 2 * t))

@@ -11,6 +11,7 @@ from facemodel.anatomy.placement import EYES_APART, SCALE_FROM
 from facemodel.anatomy.recipe import Layer, Region, Tissue
 from facemodel.face import Layers
 from facemodel.mesh import Mesh
+from facemodel.smooth import smooth_step
 from fem import Support
 from fem.types import BoolArray, FloatArray, IntArray
 
@@ -20,8 +21,7 @@ MARGINS = ("lids", "lips")
 
 def soft(distance: FloatArray, inner: float, outer: float) -> FloatArray:
     """1 within ``inner``, 0 beyond ``outer``, smooth between."""
-    t = np.clip((outer - distance) / (outer - inner), 0.0, 1.0)
-    return np.asarray(t * t * (3 - 2 * t))
+    return smooth_step((outer - distance) / (outer - inner))
 
 
 class Canvas:

@@ -17,6 +17,7 @@ from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.kinematics import Stance
 from facemodel.openings import mouth_of
+from facemodel.smooth import smooth_step
 from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
 LIPS = Reach(whole=(2.0, 2.0), faded=(16.0, 16.0), kept=11.5, end=0.97, joined=0.9)
@@ -60,8 +61,7 @@ class Mouth:
 
 def _corners() -> FloatArray:
     """How far each column (I,) is in a corner, from 0 to 1."""
-    t = np.clip((np.abs(np.linspace(-1, 1, COLUMNS)) - CORNER[0]) / (CORNER[1] - CORNER[0]), 0.0, 1.0)
-    return np.asarray(t * t * (3 - 2 * t))
+    return smooth_step((np.abs(np.linspace(-1, 1, COLUMNS)) - CORNER[0]) / (CORNER[1] - CORNER[0]))
 
 
 def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[IntArray, LipPair] | None:
@@ -87,8 +87,7 @@ def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[
     kept, shown = slit.away < deep, slit.away < deep + BESIDE
     moved = np.any([np.abs(share).max(axis=1) > LEAST_SHARE for _, share in shares], axis=0)
     rows = np.flatnonzero(moved | kept | shown)
-    t = np.clip((deep - slit.away) / np.maximum(FADING * deep, SMALLEST), 0.0, 1.0)
-    hold = t * t * (3 - 2 * t)
+    hold = smooth_step((deep - slit.away) / np.maximum(FADING * deep, SMALLEST))
     nearest = np.abs(along[:, None] - offsets).argmin(axis=1)
     lips = [_lip(slit, display, side, rows, hold, shown, shares[side], nearest) for side in (0, 1)]
     return rows, LipPair(axes, lips[0], lips[1])

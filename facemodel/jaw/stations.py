@@ -8,6 +8,7 @@ import numpy as np
 
 from facemodel.face import Face
 from facemodel.openings import Slit, along, on_upper_side
+from facemodel.smooth import smooth_step
 from fem.types import FloatArray, IntArray
 
 LOWER_STATIONS = (-1.0, -0.7, -0.35, 0.0, 0.35, 0.7, 1.0)
@@ -46,7 +47,6 @@ LEVEL = np.array([1.0, 0.0, 1.0])
 
 CHIN_NEAR, CHIN_PATCH = 4.0, 18.0
 """Millimetres over which a place of the chin is an average, and over which its force fades."""
-
 
 UNPARTED = 10.0
 """Millimetres below the middle of lips that are one piece of skin over which forces on the chin begin."""
@@ -90,7 +90,7 @@ def lip_stations(face: Face, mouth: Slit, vertices: IntArray) -> list[Station]:
         inward = NARROWING * np.sign(at) * at**2 * share
         away = np.linalg.norm(skin.positions[vertices][:, None] - skin.positions[chain][None], axis=2)
         nearest = at[away.argmin(axis=1)]
-        here = _smooth((FADED - away.min(axis=1)) / (FADED - FULL)) * (upper_side == is_upper)
+        here = smooth_step((FADED - away.min(axis=1)) / (FADED - FULL)) * (upper_side == is_upper)
         for place in places:
             near = np.exp(-(((at - place) / NEAR_STATION) ** 2))
             near /= near.sum()
@@ -122,7 +122,7 @@ def _below_the_mouth(face: Face, mouth: Slit | None) -> FloatArray:
     if mouth is not None:
         return np.asarray(~on_upper_side(face.skin, mouth), dtype=np.float64)
     depth = face.skin.positions[face.landmarks["lower_lip_mid"], 1] - face.skin.positions[:, 1]
-    return _smooth(depth / UNPARTED)
+    return smooth_step(depth / UNPARTED)
 
 
 def _on_chin(towards: FloatArray, share: float, axes: tuple[int, ...], skin: FloatArray, below: FloatArray) -> Station:
@@ -132,12 +132,6 @@ def _on_chin(towards: FloatArray, share: float, axes: tuple[int, ...], skin: Flo
     near, patch = (below * np.exp(-((away / reach) ** 2)) for reach in (CHIN_NEAR, CHIN_PATCH))
     place = near / near.sum()
     return Station(place, patch, axes, share * place, np.zeros_like(place))
-
-
-def _smooth(t: FloatArray) -> FloatArray:
-    """Zero below zero, one beyond one, and smooth between."""
-    t = np.clip(t, 0.0, 1.0)
-    return np.asarray(t * t * (3 - 2 * t))
 
 
 def _spread(rows: IntArray, values: FloatArray, count: int) -> FloatArray:

@@ -14,6 +14,7 @@ from facemodel.face import Carrier, Eye, Part, PartKind
 from facemodel.making.cut import Cut, island_of, uv_islands
 from facemodel.making.wheel import BaseMesh
 from facemodel.mesh import Mesh
+from facemodel.smooth import smooth_step
 from fem.types import FloatArray, IntArray
 
 LASH_GROUPS = {
@@ -136,8 +137,7 @@ def _withdrawn(points: FloatArray, rim: FloatArray) -> FloatArray:
     shows of them is the dark behind the teeth.
     """
     away = np.linalg.norm(points[:, None] - rim[None], axis=2).min(axis=1)
-    t = np.clip((away - WITHDRAW_FROM) / (WITHDRAW_TO - WITHDRAW_FROM), 0, 1)
-    share = (t * t * (3 - 2 * t))[:, None]
+    share = smooth_step((away - WITHDRAW_FROM) / (WITHDRAW_TO - WITHDRAW_FROM))[:, None]
     inward = (rim.mean(axis=0) - points) * WITHDRAW_SHRINK - [0.0, 0.0, WITHDRAW_BACK]
     return np.asarray(points + share * inward)
 

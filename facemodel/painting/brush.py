@@ -11,6 +11,7 @@ import numpy as np
 from facemodel.errors import PaintError
 from facemodel.painting.frames import turned
 from facemodel.painting.layers import Kind, PaintLayer
+from facemodel.smooth import smooth_step
 from fem.types import FloatArray
 
 Mode = Literal["set", "add", "scale", "smooth", "comb", "erase"]
@@ -82,8 +83,7 @@ def falloff(distances: FloatArray, radius: float, hardness: float) -> FloatArray
     inner = hardness * radius
     if inner >= radius:
         return (distances <= radius).astype(np.float64)
-    t = np.clip((radius - distances) / (radius - inner), 0.0, 1.0)
-    return np.asarray(t * t * (3 - 2 * t))
+    return smooth_step((radius - distances) / (radius - inner))
 
 
 def painted(kind: Kind, mode: Mode, before: FloatArray, weights: FloatArray, target: FloatArray) -> FloatArray:

@@ -9,6 +9,7 @@ import numpy as np
 
 from facemodel.face import Face
 from facemodel.mesh import Mesh
+from facemodel.smooth import smooth_step
 from fem.types import FloatArray, IntArray
 from ui.viewport.lids import lid_line
 
@@ -120,8 +121,7 @@ class Complexion:
 
 def smooth(x: FloatArray, low: float, high: float) -> FloatArray:
     """0 below ``low``, 1 above ``high`` (or the other way round if ``low`` is larger), with level ends."""
-    t = np.clip((x - low) / (high - low), 0.0, 1.0)
-    return np.asarray(t * t * (3 - 2 * t))
+    return smooth_step((x - low) / (high - low))
 
 
 def rings(mesh: Mesh, loop: IntArray, count: int) -> IntArray:

@@ -11,6 +11,7 @@ from scipy.sparse.linalg import splu
 
 from facemodel.making.skull.envelope import face_size
 from facemodel.mesh import Mesh
+from facemodel.smooth import smooth_step
 from fem.types import FloatArray, IntArray
 
 BAND = 22.0
@@ -25,12 +26,6 @@ FREE_CORNER = 0.7
 
 NEAR_BORDER, FADE = 10.0, 34.0
 """Below the lower border the skin follows the jaw this far, and lets go of it over this length (millimetres)."""
-
-
-def smooth_step(x: FloatArray) -> FloatArray:
-    """0 below 0, 1 above 1, with level ends."""
-    t = np.clip(x, 0.0, 1.0)
-    return t * t * (3 - 2 * t)
 
 
 def lips(skin: Mesh, landmarks: Mapping[str, int]) -> tuple[IntArray, IntArray]:

@@ -1,0 +1,13 @@
+"""How what fades does so: smoothly, with level ends."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from fem.types import FloatArray
+
+
+def smooth_step(x: FloatArray) -> FloatArray:
+    """0 below 0, 1 above 1, and between them the cubic that has level ends."""
+    t = np.clip(x, 0.0, 1.0)
+    return np.asarray(t * t * (3 - 2 * t))
