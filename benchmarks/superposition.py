@@ -14,7 +14,7 @@ import numpy as np
 
 from benchmarks.figure import Figure, alone, compared, interleaved
 from benchmarks.shapes import FIELDS, default_face, drawn, random_basis
-from facemodel.field_sum import FieldSum, add_field, sum_fields
+from facemodel.field_sum import FieldSum, Layer, add_field, sum_fields
 from facemodel.superposition import Superposition
 from fem.types import Float32Array, FloatArray
 
@@ -72,7 +72,6 @@ class _Steps:
         # Of ones, since untouched zeros are one page of memory, however many there are.
         self._copy = np.ones(COPY // 4, dtype=np.float32), np.ones(COPY // 4, dtype=np.float32)
         self._sums = tuple(_sum_of(matrix) for matrix in (posed.basis.fields, posed.basis.slopes))
-        self._weights = np.linspace(0.1, 1.0, FIELDS, dtype=np.float32)
 
     def named(self) -> dict[str, Callable[[], None]]:
         """The steps by name."""
@@ -90,13 +89,13 @@ class _Steps:
 
     def sum(self) -> None:
         """Superpose all fields and slopes."""
-        sum_fields(self._sums, self._weights)
+        sum_fields(self._sums)
 
     def add(self) -> None:
         """Add one field."""
         self._calls += 1
-        for total, _, fields in self._sums:
-            add_field(total, fields[self._calls % FIELDS], 0.01)
+        for total, _, (layer,) in self._sums:
+            add_field(total, layer.fields[self._calls % FIELDS], 0.01)
 
     def pose_all(self) -> None:
         """Pose with every weight changed, normals, lids and jaw included."""
@@ -114,7 +113,7 @@ class _Steps:
 
 def _sum_of(fields: Float32Array) -> FieldSum:
     rest = np.ones(fields.shape[1], dtype=np.float32)
-    return FieldSum(np.empty_like(rest), rest, fields)
+    return FieldSum(np.empty_like(rest), rest, (Layer(fields, np.linspace(0.1, 1.0, FIELDS, dtype=np.float32)),))
 
 
 def blender_python() -> str | None:

@@ -10,7 +10,7 @@ from facemodel.contact.contact import Contact, Untouched, contact_of
 from facemodel.contact.normals import normals_of
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
-from facemodel.field_sum import FieldSum, add_field, sum_fields
+from facemodel.field_sum import FieldSum, Layer, add_field, sum_fields
 from facemodel.jaw.motion import jaw_motion
 from facemodel.kinematics import NO_TURN, STILL, Rig, Rigid, Stance, stance_of
 from facemodel.sculpting.sampler import DrawnChange
@@ -197,10 +197,10 @@ class Superposition:
     def _sum(self, weights: Float32Array, bends: Float32Array) -> None:
         self._increments = self.shifts = 0
         live, basis, arc = self._buffer[: self._live], self.basis, self.basis.arc
-        at_rest = FieldSum(live, self._rest, basis.fields), FieldSum(self._slopes, self._rest_slopes, basis.slopes)
-        sum_fields(at_rest, weights)
+        fields, slopes = (Layer(basis.fields, weights),), (Layer(basis.slopes, weights),)
         if arc is not None and bends.any():
-            sum_fields((FieldSum(live, live, arc.fields), FieldSum(self._slopes, self._slopes, arc.slopes)), bends)
+            fields, slopes = (*fields, Layer(arc.fields, bends)), (*slopes, Layer(arc.slopes, bends))
+        sum_fields((FieldSum(live, self._rest, fields), FieldSum(self._slopes, self._rest_slopes, slopes)))
 
     def _turn_normals(self) -> None:
         """Normals of the moving skin as the cross product of its slopes; at rest the very ones of the display."""

@@ -17,6 +17,7 @@ from facemodel.contact.teeth import rows_of_teeth
 from facemodel.display import DisplaySurface
 from facemodel.face import Eye, Face
 from facemodel.kinematics import STILL, Stance, stance_of
+from facemodel.side_by_side import side_by_side
 from fem.types import Float32Array, IntArray
 
 INWARDS = 8.0
@@ -122,8 +123,14 @@ class Contact:
         slopes : (6, S) of the moving skin as the sum of the fields has them
         stance : how jaw, eyes and head stand
         """
-        found = ((site.rows, site.settle(live, normals, slopes, stance)) for site in self._sites)
-        return [(rows, before) for rows, before in found if before is not None]
+
+        def settle(sites: Sequence[Site]) -> Untouched:
+            found = [(site.rows, site.settle(live, normals, slopes, stance)) for site in sites]
+            return [(rows, before) for rows, before in found if before is not None]
+
+        # The mouth, which comes last, costs as much as both eyes.
+        mouth, eyes = side_by_side(lambda: settle(self._sites[-1:]), lambda: settle(self._sites[:-1]))
+        return [*eyes, *mouth]
 
 
 def lay_mouth(face: Face, display: DisplaySurface) -> tuple[IntArray, Sequence[Rule]] | None:
@@ -133,8 +140,7 @@ def lay_mouth(face: Face, display: DisplaySurface) -> tuple[IntArray, Sequence[R
         return None
     rows, pair = mouth
     rest = live_at_rest(face, display)
-    skin = int(np.searchsorted(rows, len(rest) - display.moving))
-    return rows, [Mouth(pair, rows_of_teeth(face), skin, rest[rows])]
+    return rows, [Mouth(pair, rows_of_teeth(face), rest[rows])]
 
 
 def live_at_rest(face: Face, display: DisplaySurface) -> Float32Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -65,14 +64,8 @@ class Reading(NamedTuple):
     upper: FloatArray
     lower: FloatArray
 
-    @property
-    def gap(self) -> FloatArray:
-        """How far (I,) the sides are apart; below zero where they are in each other."""
-        return self.upper - self.lower
 
-
-@dataclass(frozen=True, eq=False)
-class LidColumns:
+class LidColumns(NamedTuple):
     """The columns of a slit and what goes with them, on the n points of a site.
 
     Attributes
@@ -87,40 +80,8 @@ class LidColumns:
     lower: Lid
     count: int
 
-    def read(self, here: Float32Array) -> Reading:
-        """How the sides stand on posed points (n, 3) where they come nearest to each other."""
-        return _reading(here, self.round, self.upper, self.lower, self.count, False)
 
-    def read_ends(self, here: Float32Array) -> Reading:
-        """How the sides stand on posed points (n, 3) where their columns end."""
-        return _reading(here, self.round, self.upper, self.lower, self.count, True)
-
-    def part(self, here: Float32Array, reading: Reading, up: FloatArray, down: FloatArray) -> None:
-        """Move the upper side up and the lower one down by millimetres (I,) at the upper side's columns, in place."""
-        _turn(here, self.round, self.upper.spread, up)
-        _turn(here, self.round, self.lower.spread, -np.interp(reading.lower_at, reading.at, down))
-
-    def keep_apart(self, here: Float32Array, reading: Reading, spared: Spared) -> None:
-        """Bring what is still beyond the line midway between the sides back onto it, in place.
-
-        Where the sides are apart each may go up to the other one.
-
-        Parameters
-        ----------
-        spared : how far points may be beyond it, as they are at rest
-        """
-        for side, allowed in ((self.upper, spared.upper), (self.lower, spared.lower)):
-            beyond = _beyond(here, self.round, side, reading) - allowed
-            _turn_points(here, self.round, side.kept, side.sign * np.maximum(beyond, 0.0))
-
-    def spared(self, rest: Float32Array, reading: Reading) -> Spared:
-        """How far the points of both sides are beyond the line between them at rest (n, 3)."""
-        upper, lower = (np.maximum(_beyond(rest, self.round, side, reading), 0.0) for side in (self.upper, self.lower))
-        return Spared(upper, lower, np.maximum(-reading.gap, 0.0))
-
-
-@dataclass(frozen=True, eq=False)
-class Spared:
+class Spared(NamedTuple):
     """How far the sides of a slit are in each other at rest, which is left as it is, millimetres.
 
     Attributes
@@ -132,6 +93,12 @@ class Spared:
     upper: FloatArray
     lower: FloatArray
     columns: FloatArray
+
+
+@compiled
+def gap_of(reading: Reading) -> FloatArray:
+    """How far (I,) the sides are apart; below zero where they are in each other."""
+    return reading.upper - reading.lower
 
 
 @compiled
@@ -173,11 +140,41 @@ def _side(here: Float32Array, about: Round, lid: Lid, count: int, ends: bool) ->
 
 
 @compiled
-def _reading(here: Float32Array, about: Round, upper: Lid, lower: Lid, count: int, ends: bool) -> Reading:
-    """See `LidColumns.read` and `LidColumns.read_ends`."""
-    at, over = _side(here, about, upper, count, ends)
-    lower_at, under = _side(here, about, lower, count, ends)
+def read_lids(here: Float32Array, lids: LidColumns, ends: bool) -> Reading:
+    """How the sides stand on posed points (n, 3): where their columns end, or where they come nearest to each other."""
+    at, over = _side(here, lids.round, lids.upper, lids.count, ends)
+    lower_at, under = _side(here, lids.round, lids.lower, lids.count, ends)
     return Reading(at, lower_at, over, np.interp(at, lower_at, under))
+
+
+@compiled
+def part_lids(here: Float32Array, lids: LidColumns, reading: Reading, up: FloatArray, down: FloatArray) -> None:
+    """Move the upper side up and the lower one down by millimetres (I,) at the upper side's columns, in place."""
+    _turn(here, lids.round, lids.upper.spread, up)
+    _turn(here, lids.round, lids.lower.spread, -np.interp(reading.lower_at, reading.at, down))
+
+
+@compiled
+def keep_lids_apart(here: Float32Array, lids: LidColumns, reading: Reading, spared: Spared) -> None:
+    """Bring what is still beyond the line midway between the sides back onto it, in place.
+
+    Where the sides are apart each may go up to the other one.
+
+    Parameters
+    ----------
+    spared : how far points may be beyond it, as they are at rest
+    """
+    for side, allowed in ((lids.upper, spared.upper), (lids.lower, spared.lower)):
+        beyond = _beyond(here, lids.round, side, reading) - allowed
+        _turn_points(here, lids.round, side.kept, side.sign * np.maximum(beyond, 0.0))
+
+
+@compiled
+def spared_at(rest: Float32Array, lids: LidColumns, reading: Reading) -> Spared:
+    """How far the points of both sides are beyond the line between them at rest (n, 3)."""
+    upper = np.maximum(_beyond(rest, lids.round, lids.upper, reading), 0.0)
+    lower = np.maximum(_beyond(rest, lids.round, lids.lower, reading), 0.0)
+    return Spared(upper, lower, np.maximum(-gap_of(reading), 0.0))
 
 
 @compiled

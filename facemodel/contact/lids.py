@@ -2,19 +2,31 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
+from facemodel.compiled import compiled
 from facemodel.contact.ball import near_eyeball
 from facemodel.contact.drawn import drawn_slit
 from facemodel.contact.frame import axes_between
 from facemodel.contact.laying import Reach
-from facemodel.contact.lid_columns import LidColumns, Round
+from facemodel.contact.lid_columns import (
+    LidColumns,
+    Round,
+    Spared,
+    gap_of,
+    keep_lids_apart,
+    part_lids,
+    read_lids,
+    spared_at,
+)
 from facemodel.contact.lid_laying import lid_columns
 from facemodel.display import DisplaySurface
 from facemodel.face import Eye, Face
 from facemodel.kinematics import Stance
 from facemodel.openings import lids_of
-from fem.types import Float32Array, FloatArray, IntArray
+from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
 LIDS = Reach(whole=(1.0, 0.5), faded=(9.0, 6.0), kept=2.0, end=0.96)
 """The margin of a lid goes as a whole, however thick it is; the upper lid moves up to its fold, the lower one less."""
@@ -36,6 +48,23 @@ NEARLY = 1.0
 """Millimetres between lids from which on they are made to meet exactly, the more so the nearer they are."""
 
 
+class _AtRest(NamedTuple):
+    """How the lids of an eye rest.
+
+    Attributes
+    ----------
+    open : (I,) how far apart they are where they come nearest to each other
+    wide : (I,) which columns tell how far an eye is closed
+    bow : (I,) how far each goes with the gaze: lids are grown fast at their corners
+    spared : how far they are in each other
+    """
+
+    open: FloatArray
+    wide: BoolArray
+    bow: FloatArray
+    spared: Spared
+
+
 class Lids:
     """Moves the lids of one eye.
 
@@ -45,51 +74,57 @@ class Lids:
     eye : behind them
     number : of the eye in its face
     rest : (n, 3) points of the site at rest
-
-    Attributes
-    ----------
-    columns : as given
     """
 
     def __init__(self, columns: LidColumns, eye: Eye, number: int, rest: Float32Array) -> None:
-        self.columns, self._number = columns, number
+        self._columns, self._number = columns, number
         self._radius = eye.radius
-        self._open = columns.read(rest).gap
-        self._wide = self._open >= MIDDLE * self._open.max()
-        self._spared = columns.spared(rest, columns.read_ends(rest))
-        # Lids are grown fast at their corners.
-        self._bow = 1 - np.linspace(-1, 1, len(self._open)) ** 4
+        apart = gap_of(read_lids(rest, columns, False))
+        bow = 1 - np.linspace(-1, 1, columns.count) ** 4
+        spared = spared_at(rest, columns, read_lids(rest, columns, True))
+        self._rest = _AtRest(apart, apart >= MIDDLE * apart.max(), bow, spared)
 
     def move(self, here: Float32Array, stance: Stance) -> None:
         """Move the lids of posed points (n, 3), in place."""
-        shut = _eased((self.closure(here) - CLOSING) / (CLOSED - CLOSING))
-        edges = self.columns.read_ends(here)
-        way = self._bow * (self._radius * np.radians(stance.posture.eyes[self._number][1]) * (1 - shut))
-        followed = edges.gap + (UPPER_FOLLOWS - LOWER_FOLLOWS) * way
-        # Lids that close stop where they meet; what rests in each other stays so.
-        wanted = np.maximum(followed, -self._spared.columns) * np.where(followed > 0, 1 - shut, 1.0)
-        change = wanted - followed
-        if not (way.any() or change.any()):
-            return
+        _move(here, self._columns, self._rest, self._radius * np.radians(stance.posture.eyes[self._number][1]))
+
+
+@compiled
+def _move(here: Float32Array, columns: LidColumns, rest: _AtRest, gaze: float) -> None:
+    """Move lids with an eyeball that turns up by so many millimetres, and close those that nearly are."""
+    shut = _eased((_closure(here, columns, rest) - CLOSING) / (CLOSED - CLOSING))
+    edges = read_lids(here, columns, True)
+    way = rest.bow * (gaze * (1 - shut))
+    followed = gap_of(edges) + (UPPER_FOLLOWS - LOWER_FOLLOWS) * way
+    # Lids that close stop where they meet; what rests in each other stays so.
+    wanted = np.maximum(followed, -rest.spared.columns) * np.where(followed > 0, 1 - shut, 1.0)
+    change = wanted - followed
+    if way.any() or change.any():
         up = UPPER_FOLLOWS * way + UPPER_SHARE * change
         down = -LOWER_FOLLOWS * way + (1 - UPPER_SHARE) * change
-        self.columns.part(here, edges, up, down)
-        self._finish(here, wanted)
-
-    def _finish(self, here: Float32Array, wanted: FloatArray) -> None:
-        """Take away what the spread from column to column has smoothed over where lids nearly meet, in place."""
-        edges = self.columns.read_ends(here)
-        change = np.clip((NEARLY - wanted) / NEARLY, 0.0, 1.0) * (wanted - edges.gap)
-        if change.any():
-            self.columns.part(here, edges, UPPER_SHARE * change, (1 - UPPER_SHARE) * change)
-            self.columns.keep_apart(here, self.columns.read_ends(here), self._spared)
-
-    def closure(self, here: Float32Array) -> float:
-        """How far the middle of an eye is closed on posed points (n, 3): 0 as at rest, 1 shut, more if lids overlap."""
-        gap = self.columns.read(here).gap
-        return float(1 - np.median(gap[self._wide] / self._open[self._wide]))
+        part_lids(here, columns, edges, up, down)
+        _finish(here, columns, rest.spared, wanted)
 
 
+@compiled
+def _closure(here: Float32Array, columns: LidColumns, rest: _AtRest) -> float:
+    """How far the middle of an eye is closed on posed points (n, 3): 0 as at rest, 1 shut, more if lids overlap."""
+    left = gap_of(read_lids(here, columns, False)) / rest.open
+    return float(1 - np.median(left[rest.wide]))
+
+
+@compiled
+def _finish(here: Float32Array, columns: LidColumns, spared: Spared, wanted: FloatArray) -> None:
+    """Take away what the spread from column to column has smoothed over where lids nearly meet, in place."""
+    edges = read_lids(here, columns, True)
+    nearly = np.minimum(np.maximum((NEARLY - wanted) / NEARLY, 0.0), 1.0)
+    change = nearly * (wanted - gap_of(edges))
+    if change.any():
+        part_lids(here, columns, edges, UPPER_SHARE * change, (1 - UPPER_SHARE) * change)
+        keep_lids_apart(here, columns, read_lids(here, columns, True), spared)
+
+
+@compiled
 def _eased(share: float) -> float:
     """0 up to 0, 1 from 1 on, smooth between."""
     t = min(max(share, 0.0), 1.0)

@@ -9,7 +9,17 @@ import numpy as np
 from facemodel.compiled import compiled
 from facemodel.contact.frame import Axes
 from facemodel.contact.laying import COLUMNS
-from facemodel.contact.relief import DEPTHS, WIDTHS, Grid, common_grid, height_at, place_points, raise_relief
+from facemodel.contact.relief import (
+    DEPTHS,
+    WIDTHS,
+    Grid,
+    OnGrid,
+    common_grid,
+    height_at,
+    on_grid,
+    place_points,
+    raise_relief,
+)
 from facemodel.contact.spread import Spread, lift
 from fem.types import Float32Array, FloatArray, IntArray
 
@@ -49,6 +59,7 @@ class Lip(NamedTuple):
     sign : 1 of the upper lip, -1 of the lower one
     kept : (m,) points that are kept on their own side
     hold : (m,) how far they are, from 0 to 1: less and less where skin begins that goes where it will
+    skin : from which of them on they are skin; those before are of the lining
     column : (m,) which column each of them is nearest to
     triangles : (T, 3) drawn of it
     rim : (E, 2) edges at which its skin ends within the mouth
@@ -59,6 +70,7 @@ class Lip(NamedTuple):
     sign: float
     kept: IntArray
     hold: FloatArray
+    skin: int
     column: IntArray
     triangles: IntArray
     rim: IntArray
@@ -89,7 +101,8 @@ class LipPair:
 
     def keep_apart(self, here: Float32Array, high: FloatArray, low: FloatArray) -> None:
         """Bring points that are beyond the face between the lips, by more than is spared of both, onto it, in place."""
-        _keep_apart(here, self.axes, self.upper, self.lower, high, low)
+        reading = _read_lips(here, self.axes, self.upper, self.lower)
+        _keep_apart(here, self.axes, self.upper, self.lower, reading, high, low)
 
 
 class Lips:
@@ -107,21 +120,25 @@ class Lips:
         self._resting = np.maximum(high, 0.0), np.maximum(low, 0.0)
         self._spared = _spared(rest, pair.axes, pair.upper, pair.lower)
 
-    def part(self, here: Float32Array) -> float:
-        """Part the lips of posed points (n, 3), in place; how far they were in each other."""
+    def part(self, here: Float32Array) -> tuple[float, LipReading]:
+        """Part the lips of posed points (n, 3) as wholes, in place; how deep they met, and how they stand then."""
         pair = self._pair
-        return _part(here, pair.axes, pair.upper, pair.lower, *self._resting, *self._spared)
+        return _part(here, pair.axes, pair.upper, pair.lower, *self._resting)
 
-    def keep_apart(self, here: Float32Array, deepest: float) -> None:
-        """Bring what is beyond the face between the lips onto it, in place.
+    def read(self, here: Float32Array) -> LipReading:
+        """How the lips stand on posed points (n, 3)."""
+        return _read_lips(here, self._pair.axes, self._pair.upper, self._pair.lower)
+
+    def keep_apart(self, here: Float32Array, reading: LipReading, deepest: float) -> None:
+        """Bring what is still beyond the face between the lips onto it, in place, point by point.
 
         Parameters
         ----------
+        reading : how the lips stand
         deepest : how far they were in each other before they were parted
         """
-        still = _still(deepest)
-        high, low = self._spared
-        self._pair.keep_apart(here, still * high, still * low)
+        pair, still = self._pair, 1 - min(deepest / PRESSED, 1.0)
+        _keep_apart(here, pair.axes, pair.upper, pair.lower, reading, *(still * spared for spared in self._spared))
 
 
 class LipReading(NamedTuple):
@@ -129,12 +146,12 @@ class LipReading(NamedTuple):
 
     Attributes
     ----------
-    places : (n, 3) of the points along, above and before the middle of the mouth
+    points : about the mouth, on the grid
     over, under : (A, D) reliefs of the upper and of the lower lip
     grid : on which they are given
     """
 
-    places: FloatArray
+    points: OnGrid
     over: FloatArray
     under: FloatArray
     grid: Grid
@@ -146,10 +163,11 @@ def _read_lips(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> LipRea
     places = np.empty((len(here), 3))
     place_points(here, axes.middle, axes.axes, places)
     grid = common_grid(places, upper.kept, lower.kept)
+    points = on_grid(places, grid)
     over, under = np.empty((WIDTHS, DEPTHS)), np.empty((WIDTHS, DEPTHS))
-    raise_relief(places, upper.triangles, upper.rim, upper.sign, grid, over)
-    raise_relief(places, lower.triangles, lower.rim, lower.sign, grid, under)
-    return LipReading(places, over, under, grid)
+    raise_relief(points, upper.triangles, upper.rim, upper.sign, grid, over)
+    raise_relief(points, lower.triangles, lower.rim, lower.sign, grid, under)
+    return LipReading(points, over, under, grid)
 
 
 @compiled
@@ -162,10 +180,10 @@ def _overlaps(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> tuple[F
 @compiled
 def _overlap(reading: LipReading, lip: Lip, other: FloatArray) -> FloatArray:
     """How far the kept points (m,) of a lip are in the other one, of which the relief is given."""
-    found, places = np.empty(len(lip.kept)), reading.places
+    found, points = np.empty(len(lip.kept)), reading.points
     for number, i in enumerate(lip.kept):
-        there = height_at(other, reading.grid, places[i, 0], places[i, 2])
-        found[number] = -(there + lip.sign * places[i, 1])
+        there = height_at(other, reading.grid, points.u[i], points.v[i])
+        found[number] = -(there + lip.sign * points.height[i])
     return found
 
 
@@ -175,12 +193,12 @@ def _beyond(reading: LipReading, lip: Lip, own: FloatArray, other: FloatArray) -
 
     The face lies halfway where the lips are in each other.
     """
-    found, places = np.empty(len(lip.kept)), reading.places
+    found, points = np.empty(len(lip.kept)), reading.points
     for number, i in enumerate(lip.kept):
-        along, depth = places[i, 0], places[i, 2]
-        there = height_at(other, reading.grid, along, depth)
-        gap = height_at(own, reading.grid, along, depth) + there
-        found[number] = SKIN + min(gap, 0.0) / 2 - (there + lip.sign * places[i, 1])
+        u, v = points.u[i], points.v[i]
+        there = height_at(other, reading.grid, u, v)
+        gap = height_at(own, reading.grid, u, v) + there
+        found[number] = SKIN + min(gap, 0.0) / 2 - (there + lip.sign * points.height[i])
     return found
 
 
@@ -204,23 +222,10 @@ def _ways(overlap: FloatArray, resting: FloatArray, lip: Lip) -> FloatArray:
 
 
 @compiled
-def _still(deepest: float) -> float:
-    """How far lips that were so deep in each other are left to be as they are at rest, from 0 to 1."""
-    return 1 - min(deepest / PRESSED, 1.0)
-
-
-@compiled
 def _part(
-    here: Float32Array,
-    axes: Axes,
-    upper: Lip,
-    lower: Lip,
-    resting_high: FloatArray,
-    resting_low: FloatArray,
-    high: FloatArray,
-    low: FloatArray,
-) -> float:
-    """See `Lips.part`; how far the points of both lips rest in each other, and beyond the face between, is given."""
+    here: Float32Array, axes: Axes, upper: Lip, lower: Lip, resting_high: FloatArray, resting_low: FloatArray
+) -> tuple[float, LipReading]:
+    """See `Lips.part`; how far the points of both lips rest in each other is given."""
     deepest = 0.0
     left_over, left_under = np.zeros(COLUMNS), np.zeros(COLUMNS)
     reading = _read_lips(here, axes, upper, lower)
@@ -237,19 +242,11 @@ def _part(
         lift(here, lower.spread, SHARE * fall, -axes.axes[1])
         left_over, left_under = left_over + LEFT, left_under + LEFT
         reading = _read_lips(here, axes, upper, lower)
-    still = _still(deepest)
-    _bring_both_back(here, axes, upper, lower, reading, still * high, still * low)
-    return deepest
+    return deepest, reading
 
 
 @compiled
-def _keep_apart(here: Float32Array, axes: Axes, upper: Lip, lower: Lip, high: FloatArray, low: FloatArray) -> None:
-    """See `LipPair.keep_apart`."""
-    _bring_both_back(here, axes, upper, lower, _read_lips(here, axes, upper, lower), high, low)
-
-
-@compiled
-def _bring_both_back(
+def _keep_apart(
     here: Float32Array,
     axes: Axes,
     upper: Lip,

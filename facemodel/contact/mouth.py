@@ -43,20 +43,20 @@ class Mouth:
     ----------
     pair : its lips
     rows : its teeth
-    skin : points of the site that are skin, from this number on
     rest : (n, 3) points of the site at rest
     """
 
-    def __init__(self, pair: LipPair, rows: Sequence[Row], skin: int, rest: Float32Array) -> None:
+    def __init__(self, pair: LipPair, rows: Sequence[Row], rest: Float32Array) -> None:
         self._lips = Lips(pair, rest)
-        self._teeth = BeforeTeeth((pair.upper, pair.lower), _corners(), rows, skin, rest)
+        self._teeth = BeforeTeeth((pair.upper, pair.lower), _corners(), rows, rest)
 
     def move(self, here: Float32Array, stance: Stance) -> None:
         """Keep the lips of posed points (n, 3) where they can be, in place."""
         met = self._teeth.give_way(here, stance)
-        deepest = self._lips.part(here)
+        deepest, reading = self._lips.part(here)
         if (met or deepest > 0) and self._teeth.push(here, stance):
-            self._lips.keep_apart(here, deepest)
+            reading = self._lips.read(here)
+        self._lips.keep_apart(here, reading, deepest)
 
 
 def _corners() -> FloatArray:
@@ -123,6 +123,7 @@ def _lip(
         1.0 if side == 0 else -1.0,
         number[points],
         hold[points],
+        int(np.searchsorted(points, slit.first)),
         nearest[points],
         np.ascontiguousarray(number[live[(shown & mine)[live].all(axis=1)]]),
         np.ascontiguousarray(number[rim[(number[rim] >= 0).all(axis=1)]]),

@@ -32,6 +32,9 @@ UPRIGHT, LEVEL = 0.1, 0.4
 AWAY = 10.0
 """Millimetres by which what does not meet it is taken back."""
 
+ROWS = 8
+"""Rows of the grid that are gone along side by side, so that none waits for what was just written."""
+
 ON_EDGE = -1e-6
 """Twice the part of a triangle across from a corner, in cells of the grid, from which on a place is on the triangle:
 neighbours leave none out."""
@@ -76,35 +79,58 @@ def common_grid(places: FloatArray, upper: IntArray, lower: IntArray) -> Grid:
     return Grid(left, back, wide, deep)
 
 
+class OnGrid(NamedTuple):
+    """Points on a grid.
+
+    Attributes
+    ----------
+    u, v : (n,) steps from its first place across and forwards
+    height : (n,) above the middle of the mouth, millimetres
+    """
+
+    u: FloatArray
+    v: FloatArray
+    height: FloatArray
+
+
+@compiled
+def on_grid(places: FloatArray, grid: Grid) -> OnGrid:
+    """Points (n, 3) along, above and before the middle of the mouth, on a grid."""
+    count = len(places)
+    u, v, height = np.empty(count), np.empty(count), np.empty(count)
+    per_wide, per_deep = 1 / grid.wide, 1 / grid.deep
+    for i in range(count):
+        u[i] = (places[i, 0] - grid.left) * per_wide
+        v[i] = (places[i, 2] - grid.back) * per_deep
+        height[i] = places[i, 1]
+    return OnGrid(u, v, height)
+
+
 @compiled
 def raise_relief(
-    places: FloatArray, triangles: IntArray, rim: IntArray, sign: float, grid: Grid, heights: FloatArray
+    points: OnGrid, triangles: IntArray, rim: IntArray, sign: float, grid: Grid, heights: FloatArray
 ) -> None:
     """Write the lowest heights (A, D) of a lip on a grid.
 
     Parameters
     ----------
-    places : (n, 3) of points along, above and before the middle of the mouth
+    points : about the mouth
     triangles : (T, 3) of the lip
     rim : (E, 2) edges at which its skin ends within the mouth
     sign : 1 of the upper lip, -1 of the lower one
     """
     heights[:] = FAR
-    count = len(places)
-    u, v, h = np.empty(count), np.empty(count), np.empty(count)
-    for i in range(count):
-        u[i] = (places[i, 0] - grid.left) / grid.wide
-        v[i] = (places[i, 2] - grid.back) / grid.deep
-        h[i] = sign * places[i, 1]
+    u, v, h = points.u, points.v, points.height
     for t in range(len(triangles)):
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        _lay(u[a], u[b], u[c], v[a], v[b], v[c], h[a], h[b], h[c], sign, grid, heights)
+        _lay(u[a], u[b], u[c], v[a], v[b], v[c], sign * h[a], sign * h[b], sign * h[c], sign, grid, heights)
     on = ON / grid.deep
     for e in range(len(rim)):
         # In the order in which what goes on from the rim looks to where the lip does.
         a, b = (rim[e, 1], rim[e, 0]) if sign > 0 else (rim[e, 0], rim[e, 1])
-        _lay(u[a], u[b], u[a], v[a], v[b], v[a] - on, h[a], h[b], h[a], sign, grid, heights)
-        _lay(u[b], u[b], u[a], v[b], v[b] - on, v[a] - on, h[b], h[b], h[a], sign, grid, heights)
+        one, other = sign * h[a], sign * h[b]
+        _lay(u[a], u[b], u[a], v[a], v[b], v[a] - on, one, other, one, sign, grid, heights)
+        _lay(u[b], u[b], u[a], v[b], v[b] - on, v[a] - on, other, other, one, sign, grid, heights)
     _lean(grid, heights)
 
 
@@ -155,40 +181,50 @@ def _averted(u1: float, u2: float, v1: float, v2: float, h1: float, h2: float, g
 
 @compiled
 def _lean(grid: Grid, heights: FloatArray) -> None:
-    """Let no height (A, D) rise by more than `STEEP` from its neighbours."""
+    """Let no height (A, D) rise by more than `STEEP` from its neighbours.
+
+    The shortest way between two places of the grid goes aslant first, then straight: so all goes from row to row, both
+    ways, then along the rows.
+    """
     across, on = STEEP * grid.wide, STEEP * grid.deep
     aslant = np.hypot(across, on)
-    count, deep = heights.shape
-    for i in range(count):
-        for k in range(deep):
-            height = heights[i, k]
-            if i > 0:
-                height = min(height, heights[i - 1, k] + across)
-                if k > 0:
-                    height = min(height, heights[i - 1, k - 1] + aslant)
-                if k < deep - 1:
-                    height = min(height, heights[i - 1, k + 1] + aslant)
-            if k > 0:
-                height = min(height, heights[i, k - 1] + on)
-            heights[i, k] = height
-    for i in range(count - 1, -1, -1):
-        for k in range(deep - 1, -1, -1):
-            height = heights[i, k]
-            if i < count - 1:
-                height = min(height, heights[i + 1, k] + across)
-                if k > 0:
-                    height = min(height, heights[i + 1, k - 1] + aslant)
-                if k < deep - 1:
-                    height = min(height, heights[i + 1, k + 1] + aslant)
-            if k < deep - 1:
-                height = min(height, heights[i, k + 1] + on)
-            heights[i, k] = height
+    count = len(heights)
+    for i in range(1, count):
+        _lower(heights[i], heights[i - 1], across, aslant)
+    for i in range(count - 2, -1, -1):
+        _lower(heights[i], heights[i + 1], across, aslant)
+    for first in range(0, count, ROWS):
+        _lower_along(heights[first : first + ROWS], on)
 
 
 @compiled
-def height_at(heights: FloatArray, grid: Grid, along: float, depth: float) -> float:
-    """The height between the places of the grid; beside it a lip rises away from there."""
+def _lower(row: FloatArray, beside: FloatArray, across: float, aslant: float) -> None:
+    """Lower a row (D,) to what its neighbour lets it be."""
+    last = len(row) - 1
+    row[0] = min(row[0], beside[0] + across, beside[1] + aslant)
+    for k in range(1, last):
+        straight, back, forth = beside[k] + across, beside[k - 1] + aslant, beside[k + 1] + aslant
+        height = straight if straight < row[k] else row[k]
+        height = back if back < height else height
+        row[k] = forth if forth < height else height
+    row[last] = min(row[last], beside[last] + across, beside[last - 1] + aslant)
+
+
+@compiled
+def _lower_along(rows: FloatArray, on: float) -> None:
+    """Lower some rows (R, D), side by side, to what each place's neighbours in the same row let it be."""
+    deep = rows.shape[1]
+    for k in range(1, deep):
+        for i in range(len(rows)):
+            rows[i, k] = min(rows[i, k], rows[i, k - 1] + on)
+    for k in range(deep - 2, -1, -1):
+        for i in range(len(rows)):
+            rows[i, k] = min(rows[i, k], rows[i, k + 1] + on)
+
+
+@compiled
+def height_at(heights: FloatArray, grid: Grid, u: float, v: float) -> float:
+    """The height so many steps from the first place of a grid; beside it a lip rises away from there."""
     count, deep = heights.shape
-    u, v = (along - grid.left) / grid.wide, (depth - grid.back) / grid.deep
     away = STEEP * (beside(u, count) * grid.wide + beside(v, deep) * grid.deep)
     return between(heights, u, v) + away

@@ -40,7 +40,7 @@ def spread_of(shares: FloatArray) -> Spread:
 def gone_with(spread: Spread, ways: FloatArray, number: int) -> float:
     """How far one of the points of a spread, by its number there, goes with ways (I,) of the columns."""
     total = 0.0
-    for k in range(spread.share.shape[1]):
+    for k in range(ABREAST):
         total += spread.share[number, k] * ways[spread.first[number] + k]
     return total
 
@@ -53,3 +53,15 @@ def lift(here: Float32Array, spread: Spread, ways: FloatArray, up: FloatArray) -
         if by != 0.0:
             for axis in range(3):
                 here[spread.points[number], axis] += by * up[axis]
+
+
+@compiled
+def carry(here: Float32Array, spread: Spread, ways: FloatArray) -> None:
+    """Move points (n, 3) with ways (I, 3) of the columns, in place."""
+    for number in range(len(spread.points)):
+        first, i = spread.first[number], spread.points[number]
+        for axis in range(3):
+            by = 0.0
+            for k in range(ABREAST):
+                by += spread.share[number, k] * ways[first + k, axis]
+            here[i, axis] += by

@@ -11,7 +11,7 @@ import numpy as np
 from facemodel.compiled import compiled
 from facemodel.contact.arch import Arch, arch_of, depth_in
 from facemodel.contact.lips import Lip
-from facemodel.contact.spread import lift
+from facemodel.contact.spread import carry
 from facemodel.face import Face
 from facemodel.kinematics import Stance
 from fem.types import Float32Array, FloatArray
@@ -41,11 +41,14 @@ class PosedRow(NamedTuple):
     ----------
     arch : its front at rest
     turn, shift : (3, 3), (3,) what has moved it from there
+    upper, lower : how deep in it, with its clearance, each kept point of the skin of a lip rests
     """
 
     arch: Arch
     turn: FloatArray
     shift: FloatArray
+    upper: FloatArray
+    lower: FloatArray
 
 
 def rows_of_teeth(face: Face) -> tuple[Row, ...]:
@@ -64,124 +67,128 @@ class BeforeTeeth:
 
     Parameters
     ----------
-    lips : of the mouth
+    lips : of the mouth, the upper one first
     corners : (I,) how far each of their columns is in a corner, from 0 to 1: both lips come out together there
     rows : of teeth
-    skin : points of the site that are skin, from this number on
     rest : (n, 3) points of the site at rest; a point that rests deeper keeps its own depth
     """
 
-    def __init__(
-        self, lips: tuple[Lip, Lip], corners: FloatArray, rows: Sequence[Row], skin: int, rest: Float32Array
-    ) -> None:
+    def __init__(self, lips: tuple[Lip, Lip], corners: FloatArray, rows: Sequence[Row], rest: Float32Array) -> None:
         self._lips, self._corners, self._rows = lips, corners, rows
-        self._first = [int(np.searchsorted(lip.kept, skin)) for lip in lips]
-        still = np.eye(4)
-        self._allowed = [
-            [_resting_depths(rest, _posed(row, still), lip, first) for lip, first in self._skins()] for row in rows
-        ]
+        bare = [_posed(row, np.eye(4), *(np.zeros(len(lip.kept) - lip.skin) for lip in lips)) for row in rows]
+        self._resting = [tuple(_resting_depths(rest, row, lip) for lip in lips) for row in bare]
 
     def give_way(self, here: Float32Array, stance: Stance) -> bool:
         """Bring the lips of posed points (n, 3) out of the teeth, in place, each with the skin around it.
 
         Whether any was in them is returned.
         """
-        met = False
-        for row, allowed in zip(self._rows, self._allowed, strict=True):
-            posed = _posed(row, stance.jaw)
-            lips = zip(self._skins(), allowed, strict=True)
-            ways = [_ways(here, posed, lip, first, spared, len(self._corners)) for (lip, first), spared in lips]
-            if any(way.any() for way in ways):
-                met = True
-                _give_way(here, *self._lips, ways[0], ways[1], self._corners)
-        return met
+        return bool(self._rows) and _give_way(here, self._posed(stance), *self._lips, self._corners)
 
     def push(self, here: Float32Array, stance: Stance) -> bool:
         """Bring out every point that is still in the teeth, in place; whether there was any."""
-        met = False
-        for row, allowed in zip(self._rows, self._allowed, strict=True):
-            posed = _posed(row, stance.jaw)
-            for (lip, first), spared in zip(self._skins(), allowed, strict=True):
-                met |= _push(here, posed, lip, first, spared)
-        return met
+        return bool(self._rows) and _push(here, self._posed(stance), *self._lips)
 
-    def _skins(self) -> list[tuple[Lip, int]]:
-        return list(zip(self._lips, self._first, strict=True))
+    def _posed(self, stance: Stance) -> tuple[PosedRow, ...]:
+        rows = zip(self._rows, self._resting, strict=True)
+        return tuple(_posed(row, stance.jaw, *resting) for row, resting in rows)
 
 
-def _resting_depths(rest: Float32Array, row: PosedRow, lip: Lip, first: int) -> FloatArray:
-    return np.maximum(_depths(rest, row, lip, first, np.empty((len(lip.kept) - first, 3))), 0.0)
-
-
-def _posed(row: Row, jaw: FloatArray) -> PosedRow:
+def _posed(row: Row, jaw: FloatArray, upper: FloatArray, lower: FloatArray) -> PosedRow:
     motion = jaw if row.on_jaw else np.eye(4)
-    return PosedRow(row.arch, np.ascontiguousarray(motion[:3, :3]), np.ascontiguousarray(motion[:3, 3]))
+    turn, shift = np.ascontiguousarray(motion[:3, :3]), np.ascontiguousarray(motion[:3, 3])
+    return PosedRow(row.arch, turn, shift, upper, lower)
 
 
 @compiled
-def _depths(here: Float32Array, row: PosedRow, lip: Lip, first: int, out: FloatArray) -> FloatArray:
-    """How deep the kept points of a lip, from a first one on, are in a row of teeth with its clearance.
+def _depth(here: Float32Array, row: PosedRow, i: int) -> tuple[float, float, float]:
+    """How deep a point is in a row of teeth with its clearance, and the way out along x and z of the row at rest."""
+    turn, shift = row.turn, row.shift
+    x, y, z = here[i, 0] - shift[0], here[i, 1] - shift[1], here[i, 2] - shift[2]
+    depth, right, front = depth_in(
+        row.arch,
+        turn[0, 0] * x + turn[1, 0] * y + turn[2, 0] * z,
+        turn[0, 1] * x + turn[1, 1] * y + turn[2, 1] * z,
+        turn[0, 2] * x + turn[1, 2] * y + turn[2, 2] * z,
+    )
+    return depth + CLEARANCE, right, front
 
-    The ways out are written into an array (m, 3).
-    """
-    found = np.empty(len(lip.kept) - first)
-    kept, arch, turn, shift = lip.kept, row.arch, row.turn, row.shift
+
+@compiled
+def _resting_depths(rest: Float32Array, row: PosedRow, lip: Lip) -> FloatArray:
+    """How deep the kept points of the skin of a lip are in a row of teeth, where they are."""
+    found = np.empty(len(lip.kept) - lip.skin)
     for number in range(len(found)):
-        i = kept[first + number]
-        x, y, z = here[i, 0] - shift[0], here[i, 1] - shift[1], here[i, 2] - shift[2]
-        depth, right, front = depth_in(
-            arch,
-            turn[0, 0] * x + turn[1, 0] * y + turn[2, 0] * z,
-            turn[0, 1] * x + turn[1, 1] * y + turn[2, 1] * z,
-            turn[0, 2] * x + turn[1, 2] * y + turn[2, 2] * z,
-        )
-        found[number] = depth + CLEARANCE
-        for axis in range(3):
-            out[number, axis] = turn[axis, 0] * right + turn[axis, 2] * front
+        found[number] = max(_depth(rest, row, lip.kept[lip.skin + number])[0], 0.0)
     return found
 
 
 @compiled
-def _ways(here: Float32Array, row: PosedRow, lip: Lip, first: int, allowed: FloatArray, count: int) -> FloatArray:
-    """The ways (3, I) by which the columns of a lip come out of a row of teeth, each as its deepest point does."""
-    out, most, ways = np.empty((len(allowed), 3)), np.zeros(count), np.zeros((3, count))
-    depths = _depths(here, row, lip, first, out)
-    for number in range(len(allowed)):
-        depth = lip.hold[first + number] * (depths[number] - allowed[number])
-        column = lip.column[first + number]
-        if depth > most[column]:
-            most[column] = depth
-            ways[:, column] = depth * out[number]
-    return ways
+def _ways(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray, ways: FloatArray) -> bool:
+    """Write the ways (I, 3) by which the columns of a lip come out of a row of teeth, each as its deepest point does.
 
-
-@compiled
-def _give_way(
-    here: Float32Array, upper: Lip, lower: Lip, rise: FloatArray, fall: FloatArray, corners: FloatArray
-) -> None:
-    """Move both lips by ways (3, I) of their columns, in place, and their corners by the longer one of both."""
-    for k in range(len(corners)):
-        one, other = rise[:, k].copy(), fall[:, k].copy()
-        most = one if (one * one).sum() > (other * other).sum() else other
-        rise[:, k] += corners[k] * (most - one)
-        fall[:, k] += corners[k] * (most - other)
-    for axis in range(3):
-        unit = np.zeros(3)
-        unit[axis] = 1.0
-        lift(here, upper.whole, rise[axis], unit)
-        lift(here, lower.whole, fall[axis], unit)
-
-
-@compiled
-def _push(here: Float32Array, row: PosedRow, lip: Lip, first: int, allowed: FloatArray) -> bool:
-    """Bring the kept points of a lip from a first one on out of a row of teeth, in place; whether any was in them."""
+    Whether there are any is returned.
+    """
+    most = np.zeros(len(ways))
+    ways[:] = 0.0
     met = False
-    out = np.empty((len(allowed), 3))
-    depths = _depths(here, row, lip, first, out)
-    for number in range(len(allowed)):
-        by = lip.hold[first + number] * (depths[number] - allowed[number])
+    for number in range(len(resting)):
+        at = lip.skin + number
+        depth, right, front = _depth(here, row, lip.kept[at])
+        by, column = lip.hold[at] * (depth - resting[number]), lip.column[at]
+        if by > most[column]:
+            met, most[column] = True, by
+            for axis in range(3):
+                ways[column, axis] = by * (row.turn[axis, 0] * right + row.turn[axis, 2] * front)
+    return met
+
+
+@compiled
+def _give_way(here: Float32Array, rows: tuple[PosedRow, ...], upper: Lip, lower: Lip, corners: FloatArray) -> bool:
+    """See `BeforeTeeth.give_way`."""
+    met = False
+    rise, fall = np.empty((len(corners), 3)), np.empty((len(corners), 3))
+    for row in rows:
+        over = _ways(here, row, upper, row.upper, rise)
+        under = _ways(here, row, lower, row.lower, fall)
+        if over or under:
+            met = True
+            _join(rise, fall, corners)
+            carry(here, upper.whole, rise)
+            carry(here, lower.whole, fall)
+    return met
+
+
+@compiled
+def _join(rise: FloatArray, fall: FloatArray, corners: FloatArray) -> None:
+    """Let the columns in the corners of both lips go the longer one of their ways (I, 3), in place."""
+    for k in range(len(corners)):
+        one, other = rise[k].copy(), fall[k].copy()
+        most = one if (one * one).sum() > (other * other).sum() else other
+        rise[k] += corners[k] * (most - one)
+        fall[k] += corners[k] * (most - other)
+
+
+@compiled
+def _push(here: Float32Array, rows: tuple[PosedRow, ...], upper: Lip, lower: Lip) -> bool:
+    """See `BeforeTeeth.push`."""
+    met = False
+    for row in rows:
+        met = _push_lip(here, row, upper, row.upper) or met
+        met = _push_lip(here, row, lower, row.lower) or met
+    return met
+
+
+@compiled
+def _push_lip(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray) -> bool:
+    """Bring the kept points of the skin of a lip out of a row of teeth, in place; whether any was in them."""
+    met = False
+    for number in range(len(resting)):
+        at = lip.skin + number
+        depth, right, front = _depth(here, row, lip.kept[at])
+        by = lip.hold[at] * (depth - resting[number])
         if by > 0.0:
             met = True
             for axis in range(3):
-                here[lip.kept[first + number], axis] += by * out[number, axis]
+                here[lip.kept[at], axis] += by * (row.turn[axis, 0] * right + row.turn[axis, 2] * front)
     return met

@@ -44,6 +44,9 @@ def _modes() -> FloatArray:
 MODES: FloatArray = _modes()
 """K and K^2 of a turn about the hinge, a shift up, one forward, and what only a jaw that swings sideways needs."""
 
+SHARES: FloatArray = MODES.reshape(12, 12) / (MODES**2).sum(axis=(1, 2))[:, None]
+"""How much of each mode an affine motion is made of, as a product with its twelve numbers."""
+
 OPENING = 4
 """As many modes, the first ones, make up all opening and sliding."""
 
@@ -59,10 +62,11 @@ def motion_of(jaw: Jaw, motion: JawMotion) -> FloatArray:
 def mode_shares(jaw: Jaw, motion: FloatArray) -> FloatArray:
     """How much (12,) of every mode a rigid motion (4, 4) of the mandible is made of."""
     middle, frame = hinge_frame(jaw)
-    turned = frame @ (motion[:3, :3] - np.eye(3)) @ frame.T
-    shifted = frame @ (motion[:3, :3] @ middle + motion[:3, 3] - middle)
-    affine = np.column_stack([turned, shifted])
-    shares = np.einsum("mij,ij->m", MODES, affine) / np.einsum("mij,mij->m", MODES, MODES)
+    moved = motion[:3] - np.eye(4)[:3]
+    affine = np.empty((3, 4))
+    affine[:, :3] = frame @ moved[:, :3] @ frame.T
+    affine[:, 3] = frame @ (moved[:, :3] @ middle + moved[:, 3])
+    shares = SHARES @ affine.ravel()
     return np.where(np.abs(shares) < NEGLIGIBLE, 0.0, shares)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from scipy.spatial.transform import Rotation
 
@@ -22,10 +24,12 @@ LEAST_REACH = 1e-3
 """Millimetres in front of the condyles below which a mandible cannot swing sideways."""
 
 
+@lru_cache(maxsize=8)
 def hinge_frame(jaw: Jaw) -> tuple[FloatArray, FloatArray]:
     """The point (3,) midway between the condyles, and a frame (3, 3) there.
 
-    Its rows are unit vectors: to the left condyle, upwards square to it, and forward.
+    Its rows are unit vectors: to the left condyle, upwards square to it, and forward.  Both are remembered, as every
+    pose asks for them.
     """
     right, left = jaw.axis
     along = (left - right) / np.linalg.norm(left - right)
@@ -33,7 +37,10 @@ def hinge_frame(jaw: Jaw) -> tuple[FloatArray, FloatArray]:
     if np.linalg.norm(up) < LEAST_REACH:  # an axis that stands upright has no up of its own
         up = np.array([0.0, 0.0, 1.0]) - along[2] * along
     up /= np.linalg.norm(up)
-    return (right + left) / 2, np.stack([along, up, np.cross(along, up)])
+    middle, frame = (right + left) / 2, np.stack([along, up, np.cross(along, up)])
+    for kept in (middle, frame):
+        kept.setflags(write=False)
+    return middle, frame
 
 
 def condylar_path(slide: float) -> tuple[float, float]:
