@@ -197,9 +197,10 @@ class Superposition:
     def _sum(self, weights: Float32Array, bends: Float32Array) -> None:
         self._increments = self.shifts = 0
         live, basis, arc = self._buffer[: self._live], self.basis, self.basis.arc
-        fields, slopes = (Layer(basis.fields, weights),), (Layer(basis.slopes, weights),)
+        parts = [(basis.fields, basis.slopes, weights)]
         if arc is not None and bends.any():
-            fields, slopes = (*fields, Layer(arc.fields, bends)), (*slopes, Layer(arc.slopes, bends))
+            parts.append((arc.fields, arc.slopes, bends))
+        fields, slopes = (tuple(Layer(part[k], part[2]) for part in parts) for k in (0, 1))
         sum_fields((FieldSum(live, self._rest, fields), FieldSum(self._slopes, self._rest_slopes, slopes)))
 
     def _turn_normals(self) -> None:

@@ -72,13 +72,13 @@ class LidColumns(NamedTuple):
     ----------
     round : about what they turn
     upper, lower : its sides
-    count : of columns, I
+    columns : how many, I
     """
 
     round: Round
     upper: Lid
     lower: Lid
-    count: int
+    columns: int
 
 
 class Spared(NamedTuple):
@@ -142,8 +142,8 @@ def _side(here: Float32Array, about: Round, lid: Lid, count: int, ends: bool) ->
 @compiled
 def read_lids(here: Float32Array, lids: LidColumns, ends: bool) -> Reading:
     """How the sides stand on posed points (n, 3): where their columns end, or where they come nearest to each other."""
-    at, over = _side(here, lids.round, lids.upper, lids.count, ends)
-    lower_at, under = _side(here, lids.round, lids.lower, lids.count, ends)
+    at, over = _side(here, lids.round, lids.upper, lids.columns, ends)
+    lower_at, under = _side(here, lids.round, lids.lower, lids.columns, ends)
     return Reading(at, lower_at, over, np.interp(at, lower_at, under))
 
 

@@ -80,7 +80,7 @@ class Lids:
         self._columns, self._number = columns, number
         self._radius = eye.radius
         apart = gap_of(read_lids(rest, columns, False))
-        bow = 1 - np.linspace(-1, 1, columns.count) ** 4
+        bow = 1 - np.linspace(-1, 1, columns.columns) ** 4
         spared = spared_at(rest, columns, read_lids(rest, columns, True))
         self._rest = _AtRest(apart, apart >= MIDDLE * apart.max(), bow, spared)
 

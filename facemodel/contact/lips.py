@@ -38,7 +38,7 @@ WAYS = 2
 LEFT = 0.15
 """Millimetres that the second time leaves to each point by itself."""
 
-ROUNDS = 3
+ROUNDS = 2
 """How often each point is brought back onto its own side: what it meets there has moved, too."""
 
 TOLERATED = 0.04
@@ -120,10 +120,14 @@ class Lips:
         self._resting = np.maximum(high, 0.0), np.maximum(low, 0.0)
         self._spared = _spared(rest, pair.axes, pair.upper, pair.lower)
 
-    def part(self, here: Float32Array) -> tuple[float, LipReading]:
-        """Part the lips of posed points (n, 3) as wholes, in place; how deep they met, and how they stand then."""
+    def part(self, here: Float32Array) -> tuple[float, LipReading | None]:
+        """Part the lips of posed points (n, 3) as wholes, in place.
+
+        Returned are how deep they were in each other, and how they stand, unless that is to be read anew.
+        """
         pair = self._pair
-        return _part(here, pair.axes, pair.upper, pair.lower, *self._resting)
+        deepest, moved, reading = _part(here, pair.axes, pair.upper, pair.lower, *self._resting)
+        return deepest, None if moved else reading
 
     def read(self, here: Float32Array) -> LipReading:
         """How the lips stand on posed points (n, 3)."""
@@ -224,12 +228,18 @@ def _ways(overlap: FloatArray, resting: FloatArray, lip: Lip) -> FloatArray:
 @compiled
 def _part(
     here: Float32Array, axes: Axes, upper: Lip, lower: Lip, resting_high: FloatArray, resting_low: FloatArray
-) -> tuple[float, LipReading]:
-    """See `Lips.part`; how far the points of both lips rest in each other is given."""
-    deepest = 0.0
+) -> tuple[float, bool, LipReading]:
+    """See `Lips.part`; how far the points of both lips rest in each other is given.
+
+    Whether any was moved since they were read is returned, too.
+    """
+    deepest, moved = 0.0, False
     left_over, left_under = np.zeros(COLUMNS), np.zeros(COLUMNS)
     reading = _read_lips(here, axes, upper, lower)
     for turn in range(WAYS):
+        if moved:
+            reading = _read_lips(here, axes, upper, lower)
+            moved = False
         rise = _ways(_overlap(reading, upper, reading.under), resting_high, upper)
         fall = _ways(_overlap(reading, lower, reading.over), resting_low, lower)
         if turn == 0:
@@ -241,8 +251,8 @@ def _part(
         lift(here, upper.spread, SHARE * rise, axes.axes[1])
         lift(here, lower.spread, SHARE * fall, -axes.axes[1])
         left_over, left_under = left_over + LEFT, left_under + LEFT
-        reading = _read_lips(here, axes, upper, lower)
-    return deepest, reading
+        moved = True
+    return deepest, moved, reading
 
 
 @compiled

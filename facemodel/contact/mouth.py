@@ -55,8 +55,8 @@ class Mouth:
         met = self._teeth.give_way(here, stance)
         deepest, reading = self._lips.part(here)
         if (met or deepest > 0) and self._teeth.push(here, stance):
-            reading = self._lips.read(here)
-        self._lips.keep_apart(here, reading, deepest)
+            reading = None
+        self._lips.keep_apart(here, reading or self._lips.read(here), deepest)
 
 
 def _corners() -> FloatArray:
