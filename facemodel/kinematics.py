@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import astuple, dataclass, replace
+from functools import cached_property, lru_cache
 from types import MappingProxyType
 
 import numpy as np
@@ -64,15 +65,35 @@ class Rig:
     head: dict[str, HeadMotion]
     tongue: dict[str, TongueMotion]
 
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """All fields that move eyes, head or tongue."""
+        return frozenset({*self.eyes, *self.head, *self.tongue})
+
     def posture(self, face: Face, expression: Expression, rigid: Rigid = NO_TURN) -> Posture:
-        """How eyes and head are held in an expression, and by channels beside it."""
-        gaze = EyeMotion(*_summed(expression, self.eyes, 3))
-        held = HeadMotion(*_summed(expression, self.head, 4))
-        tongue = TongueMotion(*_summed(expression, self.tongue, 2))
-        yaw, pitch, roll = (rigid.get(f"head.{name}", 0.0) for name in ("yaw", "pitch", "roll"))
-        across, up, forward = (rigid.get(f"head.{axis}", 0.0) for axis in "xyz")
-        head = replace(held, turn=held.turn + yaw, lift=held.lift + pitch, tilt=held.tilt + roll)
-        return Posture(tuple(_look(eye, gaze, rigid) for eye in face.eyes), head, (across, up, forward), tongue)
+        """How eyes and head are held in an expression, and by channels beside it.
+
+        As long as nothing of that changes it is the very same object.
+        """
+        asked = {name: weight for name, weight in expression.items() if weight and name in self.names}
+        return _posture(self, face, frozenset(asked.items()), frozenset(rigid.items()))
+
+
+_Amounts = frozenset[tuple[str, float]]
+
+
+@lru_cache(maxsize=8)
+def _posture(
+    rig: Rig, face: Face, asked: tuple[tuple[str, float], ...], turned: tuple[tuple[str, float], ...]
+) -> Posture:
+    expression, rigid = dict(asked), dict(turned)
+    gaze = EyeMotion(*_summed(expression, rig.eyes, 3))
+    held = HeadMotion(*_summed(expression, rig.head, 4))
+    tongue = TongueMotion(*_summed(expression, rig.tongue, 2))
+    yaw, pitch, roll = (rigid.get(f"head.{name}", 0.0) for name in ("yaw", "pitch", "roll"))
+    across, up, forward = (rigid.get(f"head.{axis}", 0.0) for axis in "xyz")
+    head = replace(held, turn=held.turn + yaw, lift=held.lift + pitch, tilt=held.tilt + roll)
+    return Posture(tuple(_look(eye, gaze, rigid) for eye in face.eyes), head, (across, up, forward), tongue)
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,8 +116,16 @@ class Stance:
 
 def stance_of(face: Face, posture: Posture, jaw: FloatArray) -> Stance:
     """How the rigid parts of a face stand in a posture, with its jaw moved by (4, 4)."""
+    return Stance(jaw, posture, *_eyes_and_head(face, posture))
+
+
+@lru_cache(maxsize=8)
+def _eyes_and_head(face: Face, posture: Posture) -> tuple[tuple[FloatArray, ...], FloatArray]:
     eyes = tuple(_turned(eye, look) for eye, look in zip(face.eyes, posture.eyes, strict=True))
-    return Stance(jaw, posture, eyes, _held(face, posture))
+    head = _held(face, posture)
+    for motion in (*eyes, head):
+        motion.setflags(write=False)
+    return eyes, head
 
 
 STILL = Rig({}, {}, {})

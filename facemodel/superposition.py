@@ -13,6 +13,7 @@ from facemodel.face import Face
 from facemodel.field_sum import FieldSum, Layer, add_field, sum_fields
 from facemodel.jaw.motion import jaw_motion
 from facemodel.kinematics import NO_TURN, STILL, Rig, Rigid, Stance, stance_of
+from facemodel.rows import put_rows
 from facemodel.sculpting.sampler import DrawnChange
 from facemodel.tongue import tongue_places
 from fem.types import Float32Array, FloatArray
@@ -33,6 +34,7 @@ class Superposition:
     points : (P, 3) float32, the posed skin; always the same array
     normals : (P, 3) float32, its unit normals; always the same array
     parts : posed points (n, 3) float32 of every part of the face by its name; always the same arrays
+    carried : (C, 3) float32, those of all parts that the skin carries, one after the other
     rig : what the sliders do to eyes, head and tongue
     turned : how eyes and head are turned besides; seen with the next pose
     stance : how jaw, eyes and head stand; what is drawn is the head upright, to be moved by ``stance.head``
@@ -63,10 +65,11 @@ class Superposition:
         first_skin = sum(count for _, count in display.carried)
         self.points: Float32Array = self._buffer.reshape(-1, 3)[first_skin:]
         self.normals: Float32Array = display.normals.astype(np.float32)
+        self.carried: Float32Array = self._buffer.reshape(-1, 3)[:first_skin]
         self.parts: dict[str, Float32Array] = rest_of
         start = 0
         for name, count in display.carried:
-            self.parts[name] = self._buffer.reshape(-1, 3)[start : start + count]
+            self.parts[name] = self.carried[start : start + count]
             start += count
         self._touches = contact
         self._contact: Contact | None = contact_of(face, display) if contact and not linear else None
@@ -175,7 +178,7 @@ class Superposition:
         """Put what contact has moved back to where the sum of the fields has it."""
         live = self._buffer[: self._live].reshape(-1, 3)
         for rows, before in self._untouched:
-            live[rows] = before
+            put_rows(live, rows, before)
         self._untouched = ()
 
     def _finish(self) -> None:

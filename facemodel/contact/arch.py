@@ -54,16 +54,18 @@ class Arch(NamedTuple):
 def depth_in(arch: Arch, x: float, y: float, z: float) -> tuple[float, float, float]:
     """How deep a place is in teeth and gum, below zero outside, and the x and z of the way out.
 
-    Beside the last teeth, and above and below its grid, an arch falls back.
+    Beside the last teeth, and above and below its grid, an arch falls back.  The way out is as long as the place is
+    away from the axis: the few places that are inside make it a unit vector.
     """
     right, front = x - arch.axis[0], z - arch.axis[1]
     away = max(np.sqrt(right * right + front * front), SMALLEST)
     directions, levels = arch.reach.shape
     # The tangent of half an angle needs no arc tangent; straight behind the axis it has no end.
     half = right / max(away + front, SMALLEST)
-    u, v = (half - arch.half) / arch.turn, (y - arch.level) / arch.rise
+    per_turn, per_rise = 1 / arch.turn, 1 / arch.rise
+    u, v = (half - arch.half) * per_turn, (y - arch.level) * per_rise
     off = 2 * beside(u, directions) * arch.turn * away + beside(v, levels) * arch.rise
-    return between(arch.reach, u, v) - ROUND * off - away, right / away, front / away
+    return between(arch.reach, u, v) - ROUND * off - away, right, front
 
 
 def arch_of(mesh: Mesh, upwards: bool) -> Arch | None:

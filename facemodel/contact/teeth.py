@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from facemodel.compiled import compiled
-from facemodel.contact.arch import Arch, arch_of, depth_in
+from facemodel.contact.arch import SMALLEST, Arch, arch_of, depth_in
 from facemodel.contact.lips import Lip
 from facemodel.contact.spread import carry
 from facemodel.face import Face
@@ -102,7 +102,7 @@ def _posed(row: Row, jaw: FloatArray, upper: FloatArray, lower: FloatArray) -> P
 
 @compiled
 def _depth(here: Float32Array, row: PosedRow, i: int) -> tuple[float, float, float]:
-    """How deep a point is in a row of teeth with its clearance, and the way out along x and z of the row at rest."""
+    """How deep a point is in a row of teeth with its clearance, and x and z of the way out, of any length, at rest."""
     turn, shift = row.turn, row.shift
     x, y, z = here[i, 0] - shift[0], here[i, 1] - shift[1], here[i, 2] - shift[2]
     depth, right, front = depth_in(
@@ -112,6 +112,13 @@ def _depth(here: Float32Array, row: PosedRow, i: int) -> tuple[float, float, flo
         turn[0, 2] * x + turn[1, 2] * y + turn[2, 2] * z,
     )
     return depth + CLEARANCE, right, front
+
+
+@compiled
+def _unit(right: float, front: float) -> tuple[float, float]:
+    """A way along x and z, one millimetre long."""
+    length = max(np.sqrt(right * right + front * front), SMALLEST)
+    return right / length, front / length
 
 
 @compiled
@@ -138,6 +145,7 @@ def _ways(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray, ways
         by, column = lip.hold[at] * (depth - resting[number]), lip.column[at]
         if by > most[column]:
             met, most[column] = True, by
+            right, front = _unit(right, front)
             for axis in range(3):
                 ways[column, axis] = by * (row.turn[axis, 0] * right + row.turn[axis, 2] * front)
     return met
@@ -189,6 +197,7 @@ def _push_lip(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray) 
         by = lip.hold[at] * (depth - resting[number])
         if by > 0.0:
             met = True
+            right, front = _unit(right, front)
             for axis in range(3):
                 here[lip.kept[at], axis] += by * (row.turn[axis, 0] * right + row.turn[axis, 2] * front)
     return met

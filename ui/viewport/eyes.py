@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
@@ -11,10 +13,11 @@ from facemodel.face import Eye
 from facemodel.mesh import Mesh, submesh
 from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.complexion import Colour, smooth
+from ui.viewport.joined import Shape, joined
 from ui.viewport.lids import LidLine, same_line
 from ui.viewport.look import bytes_of
 from ui.viewport.shading import EYE, apply, glaze
-from ui.viewport.surface import Surface, moved_by
+from ui.viewport.surface import Surface
 
 UPPER_SHADE, UPPER_REACH = 0.80, 2.6
 LOWER_SHADE, LOWER_REACH = 0.35, 1.0
@@ -31,68 +34,98 @@ CORNER_REACH = 2.5
 """Millimetres over which the corners of the eye fall into shade."""
 
 
-class EyeInLids:
-    """One eye with the shade of its lids on it.
+class EyesInLids:
+    """The eyes of a face with the shade of their lids on them.
 
     Attributes
     ----------
-    ball, film : what VTK draws
+    balls, films : what VTK draws; none on a face without eyes
     """
 
-    def __init__(self, eye: Eye, lids: LidLine, iris: Colour) -> None:
-        made = eyeball(eye)
-        mesh, index = _front(made, eye)
-        shell, shell_index = made.cornea
-        self.ball = Surface(
-            mesh.positions.astype(np.float32),
-            made.normals[index].astype(np.float32),
-            mesh.triangles,
-            bytes_of(tinted(made, iris)[index]),
-        )
-        apply(self.ball.actor, EYE, openness=True)
-        self.ball.actor.ForceOpaqueOn()
-        self.ball.actor.GetProperty().BackfaceCullingOn()
-        self.film = Surface(
-            shell.positions.astype(np.float32), made.normals[shell_index].astype(np.float32), shell.triangles
-        )
-        glaze(self.film.actor)
+    def __init__(self, eyes: Sequence[Eye], lids: Sequence[LidLine], iris: Colour) -> None:
+        self.balls: Surface | None = None
+        self.films: Surface | None = None
+        if not eyes:
+            self._each: list[_EyeInLids] = []
+            return
+        made = [eyeball(eye) for eye in eyes]
+        self.balls, balls = joined([_ball(each, eye, iris) for each, eye in zip(made, eyes, strict=True)])
+        apply(self.balls.actor, EYE, openness=True)
+        self.balls.actor.ForceOpaqueOn()
+        self.balls.actor.GetProperty().BackfaceCullingOn()
+        self.films, films = joined([_film(each) for each in made])
+        glaze(self.films.actor)
+        self._each = [_EyeInLids(*both) for both in zip(eyes, lids, balls, films, strict=True)]
+
+    @property
+    def actors(self) -> tuple[vtkActor, ...]:
+        """What is drawn, the clear films last."""
+        return tuple(surface.actor for surface in (self.balls, self.films) if surface is not None)
+
+    def follow(self, motions: Sequence[FloatArray], points: Float32Array) -> None:
+        """Turn each eyeball by its motion (4, 4) within the head, and shade it by the lids of the posed skin (P, 3)."""
+        turned = [eye.turn(motion) for eye, motion in zip(self._each, motions, strict=True)]
+        shaded = [eye.shade(points) for eye in self._each]
+        if self.balls is not None and self.films is not None:
+            if any(turned):
+                self.balls.moved()
+                self.films.moved()
+            if any(shaded):
+                self.balls.recoloured()
+
+
+class _EyeInLids:
+    """One eye; its ball and its film are written to."""
+
+    def __init__(self, eye: Eye, lids: LidLine, ball: Shape, film: Shape) -> None:
+        self._ball, self._film = ball, film
+        self._rest = [(shape, shape.points.copy(), shape.normals.copy()) for shape in (ball, film)]
         self._lids = lids
         self._seen: FloatArray | None = None
-        self._front = np.flatnonzero(mesh.positions[:, 2] > eye.centre[2])
-        self._at = mesh.positions[self._front]
-        self._own = np.zeros((0, 3)) if self.ball.colours is None else self.ball.colours[self._front, :3] / 255
+        self._front = np.flatnonzero(ball.points[:, 2] > eye.centre[2])
+        self._at = ball.points[self._front].astype(np.float64)
+        self._own = np.zeros((0, 3)) if ball.colours is None else ball.colours[self._front, :3] / 255
         self._nose = -1.0 if eye.side == "L" else 1.0
         self._white = smooth(np.hypot(*(self._at - eye.centre)[:, :2].T), IRIS_RADIUS + 0.5, IRIS_RADIUS + 1.5)
         self._motion = np.eye(4)
 
-    @property
-    def actors(self) -> tuple[vtkActor, ...]:
-        """What is drawn, the clear film last."""
-        return self.ball.actor, self.film.actor
+    def turn(self, motion: FloatArray) -> bool:
+        """Turn it by a motion (4, 4); whether that is another one than before."""
+        if np.array_equal(motion, self._motion):
+            return False
+        self._motion, self._seen = motion, None
+        for shape, points, normals in self._rest:
+            shape.points[:] = points @ motion[:3, :3].T + motion[:3, 3]
+            shape.normals[:] = normals @ motion[:3, :3].T
+        return True
 
-    def turn(self, head: FloatArray, motion: FloatArray) -> None:
-        """Turn the eyeball by a motion (4, 4) within a head that is moved by another one."""
-        if not np.array_equal(motion, self._motion):
-            self._motion, self._seen = motion, None
-        for surface in (self.ball, self.film):
-            moved_by(surface, head @ motion)
-
-    def shade(self, points: Float32Array) -> None:
-        """Follow the lids: ``points`` (P, 3) is the posed skin."""
-        if not self._lids.closed:
-            return
+    def shade(self, points: Float32Array) -> bool:
+        """Follow the lids of the posed skin (P, 3); whether they are seen elsewhere than before."""
+        colours = self._ball.colours
+        if not self._lids.closed or colours is None:
+            return False
         margin = self._lids.places(points)
         if self._seen is not None and same_line(margin, self._seen):
-            return
+            return False
         self._seen = margin
-        colours = self.ball.colours
-        if colours is not None:
-            at = self._at @ self._motion[:3, :3].T + self._motion[:3, 3]
-            beside = (margin[:, 0] * self._nose).max() - at[:, 0] * self._nose
-            fold = (self._white * smooth(beside, PLICA_FAR, PLICA_NEAR))[:, None]
-            colours[self._front, :3] = 255 * (self._own + (PLICA - self._own) * fold)
-            colours[self._front, 3] = np.clip(255 * lid_light(at, margin), 0, 255)
-            self.ball.recoloured()
+        at = self._at @ self._motion[:3, :3].T + self._motion[:3, 3]
+        beside = (margin[:, 0] * self._nose).max() - at[:, 0] * self._nose
+        fold = (self._white * smooth(beside, PLICA_FAR, PLICA_NEAR))[:, None]
+        colours[self._front, :3] = 255 * (self._own + (PLICA - self._own) * fold)
+        colours[self._front, 3] = np.clip(255 * lid_light(at, margin), 0, 255)
+        return True
+
+
+def _ball(made: EyeballMesh, eye: Eye, iris: Colour) -> Shape:
+    """What can be seen of the opaque ball."""
+    mesh, index = _front(made, eye)
+    points, normals = mesh.positions.astype(np.float32), made.normals[index].astype(np.float32)
+    return Shape(points, normals, mesh.triangles, bytes_of(tinted(made, iris)[index]))
+
+
+def _film(made: EyeballMesh) -> Shape:
+    shell, index = made.cornea
+    return Shape(shell.positions.astype(np.float32), made.normals[index].astype(np.float32), shell.triangles)
 
 
 def _front(made: EyeballMesh, eye: Eye) -> tuple[Mesh, IntArray]:

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from facemodel.face import Part
+from facemodel.face import Eye, Face, Part
 from facemodel.superposition import Superposition
-from ui.viewport.eyes import EyeInLids
+from ui.viewport.eyes import EyesInLids
 from ui.viewport.lashes import Lashes
-from ui.viewport.lids import lids_of
+from ui.viewport.lids import LidLine, lids_of
 from ui.viewport.lip_light import LipLight
 from ui.viewport.look import look_of
 from ui.viewport.mouth import MouthLight
 from ui.viewport.neck import neck_cap, neck_cut
-from ui.viewport.parts import enamel, lining, socket, tongue
+from ui.viewport.parts import POCKETS, enamel, pockets, tongue
 from ui.viewport.seams import seam
 from ui.viewport.shading import Ghost
 from ui.viewport.skin import Skin
@@ -41,9 +41,10 @@ class Figure:
         self._look = look_of(face)
         cut = neck_cut(display)
         self.skin = Skin(posed, self._look, cut)
-        self.eyes = tuple(EyeInLids(eye, lids_of(display, eye), self._look.palette.iris) for eye in face.eyes)
-        self.lashes: list[Lashes] = []
-        self._carried: list[Surface] = []
+        lids = [lids_of(display, eye) for eye in face.eyes]
+        self.eyes = EyesInLids(face.eyes, lids, self._look.palette.iris)
+        self.lashes = Lashes(_roots(face, lids), posed.points, self._look.palette.hair)
+        self._pockets = pockets(posed, self._look.palette)
         self._jaw: list[Surface] = []
         self._still: list[Surface] = []
         self._caps: list[Surface] = []
@@ -52,7 +53,7 @@ class Figure:
             self._caps.append(neck_cap(cut, display))
         for part in face.parts:
             self._place(part)
-        self._seam = seam(self.skin.surface, display, self._look.palette) if self._carried else None
+        self._seam = seam(self.skin.surface, display, self._look.palette) if self._pockets else None
         self._mouth = MouthLight(face, display, [*self._still, *self._jaw])
         self._lips = LipLight(face, display, self.skin.surface)
         self.follow()
@@ -65,25 +66,22 @@ class Figure:
         self.skin.ghost(ghost)
         for surface in (*self._still, *self._jaw):
             surface.actor.SetVisibility(not bones)
-        hiding = [surface.actor for surface in (*self._carried, *self._caps)]
+        hiding = [surface.actor for surface in self._behind]
         for actor in (*hiding, self._seam) if self._seam else hiding:
             actor.SetVisibility(ghost is Ghost.SOLID)
 
     def follow(self) -> None:
         """Take over what the superposition wrote."""
         self.skin.moved()
-        for surface in self._carried:
-            surface.moved()
+        if self._pockets is not None:
+            self._pockets.moved()
         stance = self.posed.stance
         for surface in self._jaw:
             moved_by(surface, stance.head @ stance.jaw)
         for each in self._tongues:
             each.move(stance.posture.tongue)
-        for eye, motion in zip(self.eyes, stance.eyes, strict=True):
-            eye.turn(stance.head, motion)
-            eye.shade(self.posed.points)
-        for lash in self.lashes:
-            lash.follow(self.posed.points)
+        self.eyes.follow(stance.eyes, self.posed.points)
+        self.lashes.follow(self.posed.points)
         parted = self._mouth.parted(self.posed.points)
         self._mouth.follow(parted)
         self._lips.follow(parted)
@@ -96,34 +94,29 @@ class Figure:
             yield self.skin.hem.actor
         if self._seam is not None:
             yield self._seam
-        for surface in (*self._still, *self._jaw, *self._carried, *self._caps):
+        for surface in (*self._still, *self._jaw, *self._behind):
             yield surface.actor
-        for eye in self.eyes:
-            yield from eye.actors
-        for lash in self.lashes:
-            yield lash.surface.actor
+        yield from self.eyes.actors
+        if self.lashes.surface is not None:
+            yield self.lashes.surface.actor
+
+    @property
+    def _behind(self) -> list[Surface]:
+        """What lies behind the skin and in its cut."""
+        return [*([self._pockets] if self._pockets else []), *self._caps]
 
     def _place(self, part: Part) -> None:
         """Make what draws a part."""
-        palette, posed = self._look.palette, self.posed.parts[part.name]
-        if part.kind == "lining":
-            self._carried.append(lining(part, posed, palette))
-        elif part.kind == "socket":
-            self._carried.append(socket(part, posed, palette))
-        elif part.kind == "lashes":
-            self._plant(part)
-        else:
+        if part.kind != "lashes" and part.kind not in POCKETS:
             rows = row_of_teeth if is_strip(part) else enamel
             surface = rows(part) if part.kind == "teeth" else tongue(part)
             if part.kind == "tongue":
                 self._tongues.append(Tongue(self.posed.face, part, surface))
             (self._jaw if part.carrier == "jaw" else self._still).append(surface)
 
-    def _plant(self, part: Part) -> None:
-        """Grow lashes on the lids of the eye that a part of lashes lies on."""
-        side = "L" if part.mesh.positions[:, 0].mean() > 0 else "R"
-        display = self.posed.basis.display
-        eye = next(eye for eye in self.posed.face.eyes if eye.side == side)
-        roots = lids_of(display, eye)
-        if roots.closed:
-            self.lashes.append(Lashes(eye, roots, self.posed.points, self._look.palette.hair))
+
+def _roots(face: Face, lids: Sequence[LidLine]) -> list[tuple[Eye, LidLine]]:
+    """The eyes that have lashes, with the line of the lids that these grow from."""
+    lashes = [part.mesh.positions[:, 0].mean() for part in face.parts if part.kind == "lashes"]
+    sides = {"L" if x > 0 else "R" for x in lashes}
+    return [(eye, line) for eye, line in zip(face.eyes, lids, strict=True) if line.closed and eye.side in sides]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from facemodel.compiled import compiled
 from facemodel.face import Eye
 from fem.types import Float32Array, FloatArray, IntArray
+from ui.viewport.joined import Shape, joined
 from ui.viewport.lids import LidLine, same_line
 from ui.viewport.shading import HAIR
 from ui.viewport.strands import spread
@@ -26,39 +28,64 @@ SMALLEST = 1e-9
 
 
 class Lashes:
-    """The lashes of one eye.
+    """The lashes of the eyes of a face.
 
     Attributes
     ----------
-    surface : what VTK draws
+    surface : what VTK draws; none where there are no lids to grow from
     """
 
-    def __init__(self, eye: Eye, lids: LidLine, rest: Float32Array, hair: tuple[float, float, float]) -> None:
-        """Plant the lashes along a line of the lids on the resting skin ``rest`` (P, 3)."""
-        self._centre = eye.centre
-        self._lids = lids
-        self._plan = _Plan(lids.places(rest), eye)
-        count = self._plan.count
-        ribs = np.arange(count)[:, None] * SEGMENTS * 2 + 2 * np.arange(SEGMENTS - 1)[None]
-        a = ribs.reshape(-1)
-        triangles = np.concatenate([np.stack([a, a + 1, a + 3], 1), np.stack([a, a + 3, a + 2], 1)])
-        points, normals, self._strands = (np.zeros((count * SEGMENTS * 2, k), np.float32) for k in (3, 3, 4))
-        self.surface = Surface(points, normals, triangles)
+    def __init__(
+        self, roots: Sequence[tuple[Eye, LidLine]], rest: Float32Array, hair: tuple[float, float, float]
+    ) -> None:
+        """Plant lashes along the lines of the lids of some eyes on the resting skin ``rest`` (P, 3)."""
+        self.surface: Surface | None = None
+        plans = [_Plan(lids.places(rest), eye) for eye, lids in roots]
+        if not plans:
+            self._each: list[_LashesOfEye] = []
+            return
+        self.surface, shapes = joined([_ribbons(plan.count) for plan in plans])
         self.surface.actor.GetProperty().SetColor(*(0.45 * c for c in hair))
-        spread(self.surface, self._strands, HAIR)
-        self._seen: FloatArray | None = None
+        strands = np.zeros((len(self.surface.points), 4), np.float32)
+        spread(self.surface, strands, HAIR)
+        parts = np.split(strands, np.cumsum([len(shape.points) for shape in shapes])[:-1])
+        self._each = [_LashesOfEye(*root, *own) for root, *own in zip(roots, plans, shapes, parts, strict=True)]
         self.follow(rest)
 
     def follow(self, points: Float32Array) -> None:
         """Grow from the posed skin ``points`` (P, 3)."""
+        grown = [each.follow(points) for each in self._each]
+        if self.surface is not None and any(grown):
+            self.surface.moved()
+
+
+def _ribbons(count: int) -> Shape:
+    """So many hairs, each a chain of places that are there twice."""
+    ribs = np.arange(count)[:, None] * SEGMENTS * 2 + 2 * np.arange(SEGMENTS - 1)[None]
+    a = ribs.reshape(-1)
+    triangles = np.concatenate([np.stack([a, a + 1, a + 3], 1), np.stack([a, a + 3, a + 2], 1)])
+    points, normals = (np.zeros((count * SEGMENTS * 2, 3), np.float32) for _ in "pn")
+    return Shape(points, normals, triangles)
+
+
+class _LashesOfEye:
+    """The lashes of one eye, written into a shape and its strands (n, 4)."""
+
+    def __init__(self, eye: Eye, lids: LidLine, plan: _Plan, shape: Shape, strands: Float32Array) -> None:
+        self._centre, self._lids, self._plan = eye.centre, lids, plan
+        self._points, self._normals = (array.reshape(-1, SEGMENTS, 2, 3) for array in (shape.points, shape.normals))
+        self._strands = strands.reshape(-1, SEGMENTS, 2, 4)
+        self._seen: FloatArray | None = None
+
+    def follow(self, points: Float32Array) -> bool:
+        """Grow from the posed skin (P, 3); whether the lids are seen elsewhere than before."""
         margin = self._lids.places(points)
         if self._seen is not None and same_line(margin, self._seen):
-            return
+            return False
         self._seen = margin
-        points, normals = (array.reshape(-1, SEGMENTS, 2, 3) for array in (self.surface.points, self.surface.normals))
-        strands = self._strands.reshape(-1, SEGMENTS, 2, 4)
-        _grow(margin, self._centre, self._plan.outward, self._plan.hairs, points, normals, strands)
-        self.surface.moved()
+        plan = self._plan
+        _grow(margin, self._centre, plan.outward, plan.hairs, self._points, self._normals, self._strands)
+        return True
 
 
 class _Hairs(NamedTuple):

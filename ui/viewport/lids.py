@@ -11,6 +11,7 @@ import numpy as np
 from facemodel.display import DisplaySurface
 from facemodel.face import Eye
 from fem.types import Float32Array, FloatArray, IntArray
+from ui.viewport.edges import between
 
 NEAR = 1.6
 """Radii of the eyeball within which its lids lie."""
@@ -43,8 +44,7 @@ class LidLine:
 
     def places(self, points: Float32Array | FloatArray) -> FloatArray:
         """The line (n, 3) on the posed skin ``points`` (P, 3), in order round the eye."""
-        share = self.share[:, None]
-        return np.asarray(points[self.start] * (1 - share) + points[self.stop] * share, dtype=np.float64)
+        return between(points, self.start, self.stop, self.share)
 
 
 def same_line(one: FloatArray, other: FloatArray) -> bool:

@@ -20,6 +20,7 @@ class HeadMount:
     def __init__(self) -> None:
         self.motion = np.eye(4)
         self._matrix = vtkMatrix4x4()
+        self._carried = 0
 
     def hold(self, motion: FloatArray) -> None:
         """Move the head."""
@@ -30,7 +31,11 @@ class HeadMount:
 
     def carry(self, renderer: vtkRenderer) -> None:
         """Take up whatever has come into the picture and has no motion of its own."""
-        for prop in renderer.GetViewProps():
+        props = renderer.GetViewProps()
+        if props.GetMTime() == self._carried:
+            return
+        self._carried = props.GetMTime()
+        for prop in props:
             if isinstance(prop, vtkProp3D) and prop.GetUserMatrix() is None:
                 prop.SetUserMatrix(self._matrix)
 

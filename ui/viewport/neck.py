@@ -13,6 +13,7 @@ import numpy as np
 
 from facemodel.display import DisplaySurface
 from fem.types import BoolArray, FloatArray, IntArray
+from ui.viewport.edges import between
 from ui.viewport.surface import Surface
 
 ABOVE_RIM = 0.3
@@ -47,8 +48,7 @@ class NeckCut:
 
     def of(self, values: FloatArray) -> FloatArray:
         """Values (P, k) of the drawn points at the points of the strip (n, k)."""
-        share = self.share[:, None]
-        return np.asarray(values[self.start] * (1 - share) + values[self.stop] * share)
+        return between(values, self.start, self.stop, self.share)
 
 
 def neck_cut(display: DisplaySurface) -> NeckCut | None:

@@ -7,7 +7,8 @@ import numpy as np
 
 from facemodel.face import Part
 from facemodel.mesh import Mesh
-from fem.types import Float32Array, FloatArray
+from facemodel.superposition import Superposition
+from fem.types import FloatArray
 from ui.viewport.complexion import Colour, Palette, smooth
 from ui.viewport.look import bytes_of
 from ui.viewport.shading import FLESH, TOOTH, apply
@@ -30,24 +31,40 @@ def _graded(mesh: Mesh, near: Colour, far: Colour, front: float, deep: float) ->
     return np.concatenate([colours, 1 - 0.85 * back], axis=1)
 
 
-def lining(part: Part, posed: Float32Array, palette: Palette) -> Surface:
-    """The inside of the lips and cheeks, dark towards the throat."""
-    mesh = part.mesh
+def pockets(posed: Superposition, palette: Palette) -> Surface | None:
+    """All that the skin carries and that is seen from inside only; one surface, as each takes its part of a frame."""
+    colours = np.full((len(posed.carried), 4), 255, dtype=np.uint8)
+    normals, triangles, first = np.zeros_like(posed.carried), [], 0
+    parts = {part.name: part for part in posed.face.parts}
+    for name, count in posed.basis.display.carried:
+        part, rows = parts[name], slice(first, first + count)
+        if part.kind in POCKETS:
+            colours[rows] = bytes_of(POCKETS[part.kind](part.mesh, palette))
+            normals[rows] = part.mesh.normals
+            triangles.append(part.mesh.triangles + first)
+        first += count
+    if not triangles:
+        return None
+    return _flesh(Surface(posed.carried, normals, np.concatenate(triangles), colours))
+
+
+def _lining(mesh: Mesh, palette: Palette) -> FloatArray:
+    """Colours and openness (n, 4) of the inside of the lips and cheeks, dark towards the throat."""
     front = float(mesh.positions[:, 2].max())
     colours = _graded(mesh, MUCOSA, THROAT, front - 2.0, DEEP)
     lips = smooth(front - mesh.positions[:, 2], 16.0, 2.0)[:, None]
     colours[:, :3] += (0.8 * np.array(palette.lips) - colours[:, :3]) * 0.7 * lips
-    surface = Surface(posed, mesh.normals.astype(np.float32), mesh.triangles, bytes_of(colours))
-    return _flesh(surface)
+    return colours
 
 
-def socket(part: Part, posed: Float32Array, palette: Palette) -> Surface:
-    """The inside of the lids, moist and pink at their margin."""
-    mesh = part.mesh
+def _socket(mesh: Mesh, palette: Palette) -> FloatArray:
+    """Colours and openness (n, 4) of the inside of the lids, moist and pink at their margin."""
     front = float(np.quantile(mesh.positions[:, 2], 0.95))
-    colours = _graded(mesh, palette.flush, THROAT, front, 9.0)
-    surface = Surface(posed, mesh.normals.astype(np.float32), mesh.triangles, bytes_of(colours))
-    return _flesh(surface)
+    return _graded(mesh, palette.flush, THROAT, front, 9.0)
+
+
+POCKETS = {"lining": _lining, "socket": _socket}
+"""How the parts that the skin carries behind it are coloured, by their kind."""
 
 
 def tongue(part: Part) -> Surface:
@@ -62,12 +79,12 @@ def tongue(part: Part) -> Surface:
 
 
 def rounded(mesh: Mesh) -> Mesh:
-    """A mesh with every triangle parted in four, twice, as Loop's smooth surface has it."""
+    """A mesh with every triangle parted in four, as Loop's smooth surface has it."""
     points, triangles = igl.loop(mesh.positions, mesh.triangles, ROUNDS)
     return Mesh(np.asarray(points), np.asarray(triangles, dtype=np.int64))
 
 
-ROUNDS = 2
+ROUNDS = 1
 """Subdivisions after which the tongue of the base mesh, which has some two hundred points, looks round."""
 
 
