@@ -30,11 +30,27 @@ opposite to the lamp, as it does in a dish."""
 LIMBUS = 0.9
 """Width over which the white turns into the iris."""
 
-AROUND = 80
-SCLERA_RINGS = 9
-IRIS_RINGS = 13
-CORNEA_AROUND = 40
-CORNEA_RINGS = 9
+
+@dataclass(frozen=True)
+class Fineness:
+    """How finely an eyeball is cut.
+
+    Attributes
+    ----------
+    around, cornea_around : vertices of a ring
+    white, iris, cornea : rings
+    """
+
+    around: int = 80
+    white: int = 9
+    iris: int = 13
+    cornea_around: int = 40
+    cornea: int = 9
+
+
+VERTEX_BY_VERTEX = Fineness()
+"""So finely that the vertices carry the colours."""
+
 
 HAZEL = np.array([0.50, 0.34, 0.17])
 GREY_GREEN = np.array([0.36, 0.42, 0.36])
@@ -99,16 +115,16 @@ def _smooth(x: FloatArray, low: float, high: float) -> FloatArray:
     return smooth_step((x - low) / (high - low))
 
 
-def _sclera(ball: float) -> _Profile:
+def _sclera(ball: float, rings: int) -> _Profile:
     """From the back pole to the limbus, denser towards the front, where it is seen."""
     limbus = np.arcsin(IRIS_RADIUS / ball)
-    angle = limbus + (np.pi - limbus) * np.linspace(1, 0, SCLERA_RINGS) ** 1.8
+    angle = limbus + (np.pi - limbus) * np.linspace(1, 0, rings) ** 1.8
     return _Profile(ball * np.sin(angle), ball * np.cos(angle), np.sin(angle), np.cos(angle))
 
 
-def _iris(ball: float) -> _Profile:
+def _iris(ball: float, rings: int) -> _Profile:
     """From the limbus inwards and down to the rim of the pupil."""
-    share = np.linspace(1, 0, IRIS_RINGS)
+    share = np.linspace(1, 0, rings)
     radius = PUPIL_RADIUS + (IRIS_RADIUS - PUPIL_RADIUS) * share
     edge = np.sqrt(ball**2 - IRIS_RADIUS**2)
     height = edge - IRIS_DEPTH * _smooth(1 - share, 0.0, 0.35)
@@ -117,11 +133,11 @@ def _iris(ball: float) -> _Profile:
     return _Profile(radius, height, lean / length, 1 / length)
 
 
-def _cornea(ball: float) -> _Profile:
+def _cornea(ball: float, rings: int) -> _Profile:
     """From a hair outside the limbus to the apex."""
     base = IRIS_RADIUS * 1.06
     plane = np.sqrt(ball**2 - base**2)
-    angle = np.linspace(np.arcsin(base / CORNEA_CURVATURE), 0, CORNEA_RINGS)
+    angle = np.linspace(np.arcsin(base / CORNEA_CURVATURE), 0, rings)
     height = plane + CORNEA_CURVATURE * (np.cos(angle) - np.cos(angle[0]))
     return _Profile(CORNEA_CURVATURE * np.sin(angle), height + 0.02, np.sin(angle), np.cos(angle))
 
@@ -153,7 +169,7 @@ def _revolve(profile: _Profile, around: int) -> tuple[FloatArray, FloatArray, In
     return points, normals, triangles[area > 1e-9].astype(np.int64)
 
 
-def _noise(turn: FloatArray, waves: int, seed: int) -> FloatArray:
+def around_the_eye(turn: FloatArray, waves: int, seed: int) -> FloatArray:
     """Smooth noise in -1..1 over the full turn with ``waves`` random values, cubic between them."""
     values = np.random.default_rng(seed).uniform(-1, 1, waves)
     at = (turn / (2 * np.pi) % 1.0) * waves
@@ -162,13 +178,13 @@ def _noise(turn: FloatArray, waves: int, seed: int) -> FloatArray:
     return np.asarray(values[low % waves] * (1 - t) + values[(low + 1) % waves] * t)
 
 
-def _iris_colours(points: FloatArray) -> FloatArray:
+def iris_colours(points: FloatArray) -> FloatArray:
     """Colours (n, 3) of the iris: radial fibres over a hazel centre and a grey-green rim, dark at both edges."""
     radius = np.hypot(points[:, 0], points[:, 1])
     turn = np.arctan2(points[:, 1], points[:, 0])
     share = (radius - PUPIL_RADIUS) / (IRIS_RADIUS - PUPIL_RADIUS)
     sway = 0.10 * np.sin(5 * share + 3 * turn)
-    fine, mid, coarse = (_noise(turn + sway, n, n) for n in (64, 29, 9))
+    fine, mid, coarse = (around_the_eye(turn + sway, n, n) for n in (64, 29, 9))
     collarette = 0.34 + 0.05 * coarse + 0.03 * mid
     hazel = 1 - _smooth(share - collarette, -0.10, 0.22)
     colour = HAZEL * hazel[:, None] + GREY_GREEN * (1 - hazel[:, None])
@@ -182,12 +198,12 @@ def _iris_colours(points: FloatArray) -> FloatArray:
     return np.asarray(colour + (RUFF - colour) * (0.85 * ruff)[:, None])
 
 
-def _sclera_colours(points: FloatArray, ball: float) -> FloatArray:
+def white_colours(points: FloatArray, ball: float) -> FloatArray:
     """Colours (n, 3) of the white: warm towards the corners of the eye, soft where it meets the iris."""
     radius = np.hypot(points[:, 0], points[:, 1])
     turn = np.arctan2(points[:, 1], points[:, 0])
     corner = _smooth(np.abs(points[:, 0]) / ball, 0.48, 0.98)
-    flush = 0.10 * np.clip(_noise(turn, 41, 41), 0, 1) * _smooth(radius / ball, 0.45, 0.8)
+    flush = 0.10 * np.clip(around_the_eye(turn, 41, 41), 0, 1) * _smooth(radius / ball, 0.45, 0.8)
     colour = WHITE + (CORNER - WHITE) * (0.75 * corner + flush)[:, None]
     front = points[:, 2] > 0
     limbus = np.where(front, 1 - _smooth(radius, IRIS_RADIUS - 0.1, IRIS_RADIUS + LIMBUS), 0.0)
@@ -203,12 +219,13 @@ def _pupil(edge: FloatArray, first: int) -> tuple[FloatArray, IntArray]:
     return np.concatenate([edge, centre[None]]), triangles
 
 
-def eyeball(eye: Eye) -> EyeballMesh:
+def eyeball(eye: Eye, fineness: Fineness = VERTEX_BY_VERTEX) -> EyeballMesh:
     """Build the mesh of an eye.
 
     Parameters
     ----------
     eye : which eye, its centre and its radius
+    fineness : how finely it is cut
 
     Returns
     -------
@@ -222,17 +239,17 @@ def eyeball(eye: Eye) -> EyeballMesh:
     ball = eye.radius
     if ball < 1.2 * IRIS_RADIUS:
         raise ValueError(f"The eye {eye.side} has a radius of {ball:g} mm; it must exceed {1.2 * IRIS_RADIUS:.1f}.")
-    white, white_normals, white_triangles = _revolve(_sclera(ball), AROUND)
-    iris, iris_normals, iris_triangles = _revolve(_iris(ball), AROUND)
-    pupil, pupil_triangles = _pupil(iris[-AROUND:], 0)
-    shell, shell_normals, shell_triangles = _revolve(_cornea(ball), CORNEA_AROUND)
+    white, white_normals, white_triangles = _revolve(_sclera(ball, fineness.white), fineness.around)
+    iris, iris_normals, iris_triangles = _revolve(_iris(ball, fineness.iris), fineness.around)
+    pupil, pupil_triangles = _pupil(iris[-fineness.around :], 0)
+    shell, shell_normals, shell_triangles = _revolve(_cornea(ball, fineness.cornea), fineness.cornea_around)
 
     blocks = (white, iris, pupil, shell)
     first = np.cumsum([0, *map(len, blocks)])
     faces = (white_triangles, iris_triangles, pupil_triangles, shell_triangles)
     colours = np.ones((first[-1], 4))
-    colours[: first[1], :3] = _sclera_colours(white, ball)
-    colours[first[1] : first[2], :3] = _iris_colours(iris)
+    colours[: first[1], :3] = white_colours(white, ball)
+    colours[first[1] : first[2], :3] = iris_colours(iris)
     colours[first[2] : first[3], :3] = PUPIL
     colours[first[3] :] = CLEAR
     forward = np.broadcast_to([0.0, 0.0, 1.0], pupil.shape)

@@ -8,14 +8,14 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from facemodel.compiled import compiled
-from facemodel.eyeball import IRIS_RADIUS, EyeballMesh, Region, eyeball
+from facemodel.eyeball import IRIS_RADIUS, EyeballMesh, Fineness, Region, eyeball
 from facemodel.face import Eye
 from facemodel.mesh import Mesh, submesh
 from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.complexion import Colour, smooth
+from ui.viewport.eye_picture import eye_coordinates, eye_picture
 from ui.viewport.joined import Shape, joined
 from ui.viewport.lids import LidLine, same_line
-from ui.viewport.look import bytes_of
 from ui.viewport.shading import EYE, apply, glaze
 from ui.viewport.surface import Surface
 
@@ -24,9 +24,13 @@ LOWER_SHADE, LOWER_REACH = 0.35, 1.0
 """How much light the lids take at their margin, and over how many millimetres that fades."""
 HIDDEN = 0.35
 """Radii behind its centre from which an eyeball is inside the head."""
-TINT = 0.9
-"""How fully an iris takes the colour of its owner; the rest keeps the play between hazel and grey."""
+DRAWN = Fineness(around=48, white=9, iris=6, cornea_around=28, cornea=6)
+"""A picture carries the colours, the vertices only shape and shade."""
 PLICA = (0.74, 0.52, 0.49)
+COLOURED = f"""
+  vec3 fine = mix(texture(actortexture, tcoordVCVSOutput).rgb, vec3{PLICA}, vertexColorVSOutput.r);
+  albedo = fine * fine;"""
+"""GLSL that reads the picture of the eye; red of a vertex is how much it belongs to the fold in the corner."""
 PLICA_NEAR, PLICA_FAR = 2.6, 5.4
 """Colour of the moist fold in the inner corner of the eye, and millimetres outwards from where the lids meet at which
 it fades and at which it is gone."""
@@ -48,9 +52,12 @@ class EyesInLids:
         if not eyes:
             self._each: list[_EyeInLids] = []
             return
-        made = [eyeball(eye) for eye in eyes]
-        self.balls, balls = joined([_ball(each, eye, iris) for each, eye in zip(made, eyes, strict=True)])
-        apply(self.balls.actor, EYE, openness=True)
+        made = [eyeball(eye, DRAWN) for eye in eyes]
+        self.balls, balls = joined([_ball(each, eye) for each, eye in zip(made, eyes, strict=True)])
+        widest = max(eye.radius for eye in eyes)
+        looking = [(ball.points - eye.centre) * _mirror(eye) for ball, eye in zip(balls, eyes, strict=True)]
+        self.balls.wear(eye_picture(widest, iris), eye_coordinates(np.concatenate(looking), widest))
+        apply(self.balls.actor, EYE, openness=True, detail=COLOURED)
         self.balls.actor.ForceOpaqueOn()
         self.balls.actor.GetProperty().BackfaceCullingOn()
         self.films, films = joined([_film(each) for each in made])
@@ -84,7 +91,6 @@ class _EyeInLids:
         self._seen: FloatArray | None = None
         self._front = np.flatnonzero(ball.points[:, 2] > eye.centre[2])
         self._at = ball.points[self._front].astype(np.float64)
-        self._own = np.zeros((0, 3)) if ball.colours is None else ball.colours[self._front, :3] / 255
         self._nose = -1.0 if eye.side == "L" else 1.0
         self._white = smooth(np.hypot(*(self._at - eye.centre)[:, :2].T), IRIS_RADIUS + 0.5, IRIS_RADIUS + 1.5)
         self._motion = np.eye(4)
@@ -110,17 +116,23 @@ class _EyeInLids:
         self._seen = margin
         at = self._at @ self._motion[:3, :3].T + self._motion[:3, 3]
         beside = (margin[:, 0] * self._nose).max() - at[:, 0] * self._nose
-        fold = (self._white * smooth(beside, PLICA_FAR, PLICA_NEAR))[:, None]
-        colours[self._front, :3] = 255 * (self._own + (PLICA - self._own) * fold)
+        colours[self._front, 0] = 255 * self._white * smooth(beside, PLICA_FAR, PLICA_NEAR)
         colours[self._front, 3] = np.clip(255 * lid_light(at, margin), 0, 255)
         return True
 
 
-def _ball(made: EyeballMesh, eye: Eye, iris: Colour) -> Shape:
-    """What can be seen of the opaque ball."""
+def _mirror(eye: Eye) -> FloatArray:
+    """What makes a left eye of either."""
+    return np.array([1.0 if eye.side == "L" else -1.0, 1.0, 1.0])
+
+
+def _ball(made: EyeballMesh, eye: Eye) -> Shape:
+    """What can be seen of the opaque ball, in full light and nowhere a fold."""
     mesh, index = _front(made, eye)
     points, normals = mesh.positions.astype(np.float32), made.normals[index].astype(np.float32)
-    return Shape(points, normals, mesh.triangles, bytes_of(tinted(made, iris)[index]))
+    colours = np.zeros((len(points), 4), dtype=np.uint8)
+    colours[:, 3] = 255
+    return Shape(points, normals, mesh.triangles, colours)
 
 
 def _film(made: EyeballMesh) -> Shape:
@@ -132,16 +144,6 @@ def _front(made: EyeballMesh, eye: Eye) -> tuple[Mesh, IntArray]:
     """What can be seen of the opaque ball, and the index of each of its vertices in the whole."""
     behind = made.mesh.positions[:, 2] < eye.centre[2] - HIDDEN * eye.radius
     return submesh(made.mesh, (made.regions != Region.CORNEA) & ~behind[made.mesh.triangles].all(axis=1))
-
-
-def tinted(made: EyeballMesh, iris: Colour) -> FloatArray:
-    """Colours (N, 4) of an eyeball whose iris has another colour, with its fibres and rings as bright as before."""
-    colours = made.colours.copy()
-    chosen = np.unique(made.mesh.triangles[made.regions == Region.IRIS])
-    fibres = colours[chosen, :3]
-    middle = np.median(fibres, axis=0)
-    colours[chosen, :3] = np.clip(fibres * (np.array(iris) / middle) ** TINT, 0.0, 1.0)
-    return colours
 
 
 def lid_light(places: FloatArray, margin: FloatArray) -> FloatArray:
