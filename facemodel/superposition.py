@@ -76,6 +76,11 @@ class Superposition:
         self._begin()
 
     @property
+    def slopes(self) -> Float32Array:
+        """Slopes (6, S) of the moving skin as the sum of the fields has them, see `facemodel.basis.Basis`."""
+        return self._slopes.reshape(6, -1)
+
+    @property
     def jaw(self) -> FloatArray:
         """Motion (4, 4) of the mandible within the head."""
         return self.stance.jaw
@@ -123,7 +128,7 @@ class Superposition:
         self.shifts += 1
         self._lift()
         self._buffer[: self._live].reshape(-1, 3)[change.rows] += change.moved
-        self._slopes.reshape(6, -1)[:, change.points] += change.slopes
+        self.slopes[:, change.points] += change.slopes
         self._finish()
 
     def settle(self) -> None:
@@ -186,7 +191,7 @@ class Superposition:
         self._turn_normals()
         if self._contact is not None:
             live = self._buffer[: self._live].reshape(-1, 3)
-            self._untouched = self._contact.settle(live, self.normals, self._slopes.reshape(6, -1), self.stance)
+            self._untouched = self._contact.settle(live, self.normals, self.slopes, self.stance)
 
     def _add(self, row: int, weight: float) -> None:
         named, arc = len(self.basis.names), self.basis.arc
@@ -211,7 +216,7 @@ class Superposition:
         if not self._weights.any():
             self.normals[:] = self.basis.display.normals
             return
-        normals_of(self._slopes.reshape(6, -1), self.normals)
+        normals_of(self.slopes, self.normals)
 
     def _jaw_of(self, weights: Float32Array) -> FloatArray:
         degrees, slide, side = (weights.astype(np.float64) @ self.basis.jaw).tolist()

@@ -87,7 +87,7 @@ def test_the_detail_is_neutral_where_it_goes_on_over_the_rest_of_the_head(face: 
     detail = look_of(face).detail
     assert detail is not None
     edge = np.concatenate([detail.image[0], detail.image[-1], detail.image[:, 0], detail.image[:, -1]])
-    assert (edge == [0, 128, 128]).all()
+    assert (edge == [0, 128, 128, 0]).all()
 
 
 def test_rings_count_edges_from_a_loop(face: Face) -> None:

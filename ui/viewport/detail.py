@@ -1,10 +1,12 @@
-"""The fine detail of the skin as one picture over the chart: brows, pores and blotches, lines of the lips, gloss.
+"""The fine detail of the skin as one picture over the chart: brows, pores and blotches, lines, gloss, furrows.
 
-Red is how much a brow hair covers, green multiplies the colour (one half is neutral), blue multiplies the gloss.
+Red is how much a brow hair covers, green multiplies the colour (one half is neutral), blue multiplies the gloss, and
+alpha is how deep the skin furrows there when it is pushed together.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +17,7 @@ from facemodel.face import Face
 from fem.types import FloatArray
 from ui.viewport.brows import strokes
 from ui.viewport.complexion import lip_share, openings, rings
+from ui.viewport.furrows import Furrow
 from ui.viewport.surface import ByteArray
 
 PIXELS_PER_MM = 11.0
@@ -23,6 +26,8 @@ FINER = 3
 """Strokes are drawn this much larger and scaled down, which smooths their edges."""
 LARGEST = 4096
 """Pixels per side that every driver takes."""
+FURROW = 0.9
+"""Millimetres across the deepest part of a furrow."""
 TILE = 512
 """Side of the repeating pattern of pores."""
 NEUTRAL = 128
@@ -36,7 +41,7 @@ class Detail:
 
     Attributes
     ----------
-    image : (h, w, 3) uint8, the first row at v = 0
+    image : (h, w, 4) uint8, the first row at v = 0
     coordinates : (N, 2) texture coordinates of the skin vertices; outside 0..1 the border goes on
     """
 
@@ -127,8 +132,23 @@ def _lip_lines(face: Face, window: _Window, shade: Image.Image) -> None:
         pen.line([tuple(p) for p in path], fill=int(NEUTRAL - random.uniform(8, 26)), width=2)
 
 
-def skin_detail(face: Face) -> Detail:
-    """Paint the picture for a face; the same face always gives the same picture."""
+def _furrows(lines: Sequence[Furrow], window: _Window) -> ByteArray:
+    """How deep each place (h, w) can furrow: sharp in the middle of a line, soft beside it."""
+    picture = Image.new("L", window.size, 0)
+    pen = ImageDraw.Draw(picture)
+    wide = round(FURROW * window.scale)
+    for line in lines:
+        pixels = window.pixels(line.points)
+        for k in range(len(pixels) - 1):
+            ink = int(255 * (line.depth[k] + line.depth[k + 1]) / 2)
+            pen.line([tuple(pixels[k]), tuple(pixels[k + 1])], fill=ink, width=max(round(wide * ink / 255), 2))
+    drawn = np.asarray(picture, dtype=np.float64)
+    sharp, soft = (gaussian_filter(drawn, size * window.scale) for size in (FURROW / 2, 2.5 * FURROW))
+    return np.clip(1.1 * sharp + 0.8 * soft, 0, 255).astype(np.uint8)
+
+
+def skin_detail(face: Face, lines: Sequence[Furrow]) -> Detail:
+    """Paint the picture for a face with its furrows; the same face always gives the same picture."""
     window = _window(face)
     random = np.random.default_rng(1)
     pores = _tiled(_grain(random, 1.3), window.size)
@@ -136,7 +156,8 @@ def skin_detail(face: Face) -> Detail:
     shade = Image.fromarray(np.clip(NEUTRAL + 3.0 * np.minimum(pores, 0.6) + 4.0 * blotches, 0, 255).astype(np.uint8))
     _lip_lines(face, window, shade)
     gloss = np.clip(NEUTRAL + 17 * pores + 16 * blotches, 0, 255).astype(np.uint8)
-    image = np.stack([np.asarray(_brows(face, window)), np.asarray(shade), gloss], axis=2)
+    brows = np.asarray(_brows(face, window))
+    image = np.stack([brows, np.asarray(shade), gloss, _furrows(lines, window)], axis=2)
     return Detail(_calm_border(image), window.pixels(face.chart) / np.array(window.size))
 
 
@@ -145,5 +166,5 @@ def _calm_border(image: ByteArray) -> ByteArray:
     height, width = image.shape[:2]
     x, y = (np.minimum(np.arange(n), np.arange(n)[::-1]) / BORDER for n in (width, height))
     inside = np.clip(np.minimum(x[None, :], y[:, None]), 0, 1)[..., None]
-    calm = np.array([0, NEUTRAL, NEUTRAL])
+    calm = np.array([0, NEUTRAL, NEUTRAL, 0])
     return np.asarray(calm + (image - calm) * inside + 0.5).astype(np.uint8)

@@ -14,6 +14,7 @@ from facemodel.mesh import Mesh
 from fem.types import FloatArray
 from ui.viewport.complexion import Palette, complexion, has_features, openings, palette_of, smooth
 from ui.viewport.detail import Detail, skin_detail
+from ui.viewport.furrows import Furrows, furrows
 from ui.viewport.occlusion import openness
 from ui.viewport.surface import ByteArray
 
@@ -36,12 +37,14 @@ class Look:
     palette : colours of its owner
     colours : (N, 3) sRGB 0..1
     open : (N,) share of the light from all around that arrives, 0..1
-    detail : the picture of brows, pores and lip lines, if the features are known
+    furrows : where it furrows, if the features are known
+    detail : the picture of brows, pores and lines, if the features are known
     """
 
     palette: Palette
     colours: FloatArray
     open: FloatArray
+    furrows: Furrows | None
     detail: Detail | None
 
 
@@ -64,9 +67,10 @@ def look_of(face: Face) -> Look:
 def _look(face: Face) -> Look:
     palette = palette_of(face)
     if has_features(face):
-        return Look(palette, complexion(face).colours, _shade(face, face.skin), skin_detail(face))
+        lines = furrows(face)
+        return Look(palette, complexion(face).colours, _shade(face, face.skin), lines, skin_detail(face, lines.lines))
     plain = np.broadcast_to(palette.skin, face.skin.positions.shape)
-    return Look(palette, plain, openness(face.skin, face.skin) ** CONTRAST, None)
+    return Look(palette, plain, openness(face.skin, face.skin) ** CONTRAST, None, None)
 
 
 def _shade(face: Face, skin: Mesh) -> FloatArray:

@@ -7,6 +7,7 @@ lighting with as many lamps.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -59,9 +60,14 @@ def _vec(values: tuple[float, ...]) -> str:
     return f"vec3({', '.join(f'{v:.5f}' for v in values)})"
 
 
-def _functions(material: Material, painted: bool) -> str:
+ATTRIBUTES = {"paint": "vec4", "fold": "float"}
+"""What points can carry besides: paint, and how deep their furrows are."""
+
+
+def _functions(material: Material, carried: Sequence[str]) -> str:
     m = material
-    return f"""{"in vec4 paintVSOutput;" if painted else ""}
+    declared = "".join(f"in {ATTRIBUTES[name]} {name}VSOutput;\n" for name in carried)
+    return f"""{declared}
 const vec3 scatterOf = {_vec(m.scatter)};
 vec3 lit(vec3 n, vec3 l, float open)
 {{
@@ -135,7 +141,7 @@ def apply(
     *,
     openness: bool = False,
     detail: str = "",
-    painted: bool = False,
+    carried: Sequence[str] = (),
     ghost: Ghost = Ghost.SOLID,
 ) -> None:
     """Give an actor a material.
@@ -146,7 +152,7 @@ def apply(
     material : how it takes light
     openness : whether the fourth component of its colours is openness
     detail : GLSL that may change ``albedo``, ``open`` and ``gloss`` before light falls
-    painted : whether its points carry the vertex attribute ``paintMC``
+    carried : which of `ATTRIBUTES` its points carry, as the vertex attributes ``paintMC`` and ``foldMC``
     ghost : whether one can look through it
     """
     text = (
@@ -154,17 +160,16 @@ def apply(
         .replace("DETAIL", detail)
         .replace("SHEEN", f"{material.sheen:.4f}")
         .replace("OUTPUT", ghost.value)
-        .replace("COVER", "paintVSOutput.a" if painted else "0.0")
+        .replace("COVER", "paintVSOutput.a" if "paint" in carried else "0.0")
     )
-    _replace(actor, _functions(material, painted), text)
-    if painted:
+    _replace(actor, _functions(material, carried), text)
+    if carried:
+        kinds = [(ATTRIBUTES[name], name) for name in carried]
+        declared = "".join(f"\nin {kind} {name}MC;\nout {kind} {name}VSOutput;" for kind, name in kinds)
+        handed = "".join(f"\n  {name}VSOutput = {name}MC;" for _, name in kinds)
         shader = actor.GetShaderProperty()
-        shader.AddVertexShaderReplacement(
-            "//VTK::Normal::Dec", True, "//VTK::Normal::Dec\nin vec4 paintMC;\nout vec4 paintVSOutput;", False
-        )
-        shader.AddVertexShaderReplacement(
-            "//VTK::Normal::Impl", True, "//VTK::Normal::Impl\n  paintVSOutput = paintMC;", False
-        )
+        for place, text in (("//VTK::Normal::Dec", declared), ("//VTK::Normal::Impl", handed)):
+            shader.AddVertexShaderReplacement(place, True, place + text, False)
 
 
 def glaze(actor: vtkActor) -> None:

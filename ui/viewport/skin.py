@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import VTK_FLOAT
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from facemodel.display import DisplaySurface
 from facemodel.superposition import Superposition
 from fem.types import Float32Array, FloatArray
 from ui.viewport.complexion import Palette
+from ui.viewport.folding import FOLDS, Folding
 from ui.viewport.look import Look, at_points, bytes_of
 from ui.viewport.neck import NeckCut
 from ui.viewport.shading import SKIN, Ghost, apply
-from ui.viewport.surface import ByteArray, Surface
+from ui.viewport.surface import ByteArray, Surface, shared
 
 PAINT = "paint"
 
+DEEP = 0.8
+"""Millimetres that a furrow is deep in a face that folds as far as it can."""
+SHADED = 0.45
+"""Share of the light that the bottom of such a furrow lacks."""
 SEEN = 0.01
 """Millimetres by which the rim of the neck has to move to be drawn anew; it stands nearly still in most poses."""
 
@@ -42,6 +47,9 @@ class Skin:
         self._detail = "" if look.detail is None else _detail_of(look.palette)
         if look.detail is not None:
             self.surface.wear(look.detail.image, at_points(face, display, look.detail.coordinates))
+        self._folding = None if look.furrows is None else Folding(posed, look.furrows)
+        if self._folding is not None:
+            _give(self.surface, "fold", FOLDS, shared(self._folding.depth, VTK_FLOAT))
         self.hem = None if cut is None else _hem(cut, display, colours)
         self._cut = cut
         self._ghost = Ghost.SOLID
@@ -50,6 +58,8 @@ class Skin:
 
     def moved(self) -> None:
         """Tell VTK that points and normals were written; the strip along the cut goes along."""
+        if self._folding is not None and self._folding.follow():
+            self.surface.data.GetPointData().GetArray(FOLDS).Modified()
         self.surface.moved()
         if self.hem is None or self._cut is None:
             return
@@ -80,14 +90,16 @@ class Skin:
     def _dress(self) -> None:
         solid = self._ghost is Ghost.SOLID
         over = "\n  albedo = mix(albedo, paintVSOutput.rgb * paintVSOutput.rgb, paintVSOutput.a);"
-        for surface, detail in ((self.surface, self._detail), (self.hem, "")):
+        paint = ("paint",) if self._painted else ()
+        fold = () if self._folding is None else ("fold",)
+        for surface, detail, carried in ((self.surface, self._detail, (*paint, *fold)), (self.hem, "", paint)):
             if surface is None:
                 continue
             surface.actor.SetForceOpaque(solid)
             surface.actor.SetForceTranslucent(not solid)
             surface.actor.GetProperty().BackfaceCullingOn()
             glsl = detail + over if self._painted else detail
-            apply(surface.actor, SKIN, openness=True, detail=glsl, ghost=self._ghost, painted=self._painted)
+            apply(surface.actor, SKIN, openness=True, detail=glsl, ghost=self._ghost, carried=carried)
 
 
 def _hem(cut: NeckCut, display: DisplaySurface, colours: ByteArray) -> Surface:
@@ -102,22 +114,33 @@ def _hem(cut: NeckCut, display: DisplaySurface, colours: ByteArray) -> Surface:
 
 def _lay(surface: Surface, colours: FloatArray | Float32Array | None) -> None:
     """Give a surface colours (n, 4) as the vertex attribute that painted materials read, or take them away."""
-    data, mapper = surface.data.GetPointData(), surface.mapper
-    data.RemoveArray(PAINT)
-    mapper.RemoveAllVertexAttributeMappings()
+    surface.data.GetPointData().RemoveArray(PAINT)
+    surface.mapper.RemoveVertexAttributeMapping("paintMC")
     if colours is not None:
-        layer = numpy_to_vtk(np.ascontiguousarray(colours, dtype=np.float32), deep=True, array_type=VTK_FLOAT)
-        layer.SetName(PAINT)
-        data.AddArray(layer)
-        mapper.MapDataArrayToVertexAttribute("paintMC", PAINT, vtkDataObject.FIELD_ASSOCIATION_POINTS, -1)
+        layer = np.ascontiguousarray(colours, dtype=np.float32)
+        _give(surface, "paint", PAINT, numpy_to_vtk(layer, deep=True, array_type=VTK_FLOAT))
     surface.data.Modified()
+
+
+def _give(surface: Surface, attribute: str, name: str, array: vtkDataArray) -> None:
+    """Give the points of a surface values as a vertex attribute, under a name."""
+    array.SetName(name)
+    surface.data.GetPointData().AddArray(array)
+    surface.mapper.MapDataArrayToVertexAttribute(f"{attribute}MC", name, vtkDataObject.FIELD_ASSOCIATION_POINTS, -1)
 
 
 def _detail_of(palette: Palette) -> str:
     """GLSL that reads the picture which `ui.viewport.detail` paints."""
     red, green, blue = (c * c for c in palette.hair)
     return f"""
-  vec3 fine = texture(actortexture, tcoordVCVSOutput).rgb;
+  vec4 fine = texture(actortexture, tcoordVCVSOutput);
   albedo *= 0.5 + fine.g;
   gloss = (0.4 + 1.2 * fine.b) * (1.0 - 0.8 * fine.r);
-  albedo = mix(albedo, vec3({red:.4f}, {green:.4f}, {blue:.4f}), fine.r);"""
+  albedo = mix(albedo, vec3({red:.4f}, {green:.4f}, {blue:.4f}), fine.r);
+  float furrow = fine.a * foldVSOutput;
+  vec3 acrossX = dFdx(vertexVC.xyz), acrossY = dFdy(vertexVC.xyz);
+  vec3 towardsX = cross(acrossY, n), towardsY = cross(n, acrossX);
+  float area = dot(acrossX, towardsX);
+  vec3 rise = sign(area) * (dFdx(furrow) * towardsX + dFdy(furrow) * towardsY);
+  n = normalize(abs(area) * n + {DEEP:.3f} * rise);
+  open *= 1.0 - {SHADED:.3f} * furrow;"""
