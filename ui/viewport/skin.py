@@ -138,9 +138,6 @@ def _detail_of(palette: Palette) -> str:
   gloss = (0.4 + 1.2 * fine.b) * (1.0 - 0.8 * fine.r);
   albedo = mix(albedo, vec3({red:.4f}, {green:.4f}, {blue:.4f}), fine.r);
   float furrow = fine.a * foldVSOutput;
-  vec3 acrossX = dFdx(vertexVC.xyz), acrossY = dFdy(vertexVC.xyz);
-  vec3 towardsX = cross(acrossY, n), towardsY = cross(n, acrossX);
-  float area = dot(acrossX, towardsX);
-  vec3 rise = sign(area) * (dFdx(furrow) * towardsX + dFdy(furrow) * towardsY);
-  n = normalize(abs(area) * n + {DEEP:.3f} * rise);
+  float pixel = max(dFdx(vertexVC.x), 1e-6);
+  n = normalize(n + vec3(dFdx(furrow), dFdy(furrow), 0.0) * ({DEEP:.3f} / pixel));
   open *= 1.0 - {SHADED:.3f} * furrow;"""
