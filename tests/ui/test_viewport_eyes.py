@@ -2,15 +2,20 @@
 
 import numpy as np
 import pytest
+import pyvista as pv
 
 from facemodel.eyeball import IRIS_RADIUS, PUPIL_RADIUS
 from facemodel.faces import load_face
+from facemodel.projects import new_project
 from fem.types import FloatArray
+from ui.viewport.camera import look_closely
 from ui.viewport.complexion import PALETTES
 from ui.viewport.eye_picture import eye_coordinates, eye_picture
 from ui.viewport.eyes import EyesInLids
+from ui.viewport.fineness import Occlusion
 from ui.viewport.joined import Shape, joined
 from ui.viewport.lids import lid_line
+from ui.viewport.scene import Scene
 
 BALL = 12.4
 BROWN, BLUE = PALETTES["chen"].iris, (0.30, 0.42, 0.55)
@@ -85,3 +90,30 @@ def test_each_eye_turns_by_its_own_motion() -> None:
     assert np.array_equal(eyes.balls.points[half:], before[half:])
     eyes.follow([np.eye(4), np.eye(4)], face.skin.positions.astype(np.float32))
     assert np.allclose(eyes.balls.points, before, atol=1e-4)
+
+
+def test_ambient_occlusion_leaves_an_iris_as_bright_as_it_is() -> None:
+    """The lids' shade is on it already: with more of it eyes would look dead."""
+    project = new_project()
+    plotter = pv.Plotter(off_screen=True, window_size=(480, 320), lighting="none")
+    plotter.render_window.SetMultiSamples(0)
+    scene, occlusion = Scene(plotter), None
+    try:
+        scene.show(project)
+        eye = project.face.eyes[0]
+        look_closely(scene.renderer, eye.centre + np.array([0.0, 0.0, eye.radius]), np.array([0.0, 0.0, 1.0]), 12.0)
+        occlusion = Occlusion(scene.renderer)
+        bright, skin = [], []
+        for on in (False, True):
+            occlusion.switch(on)
+            scene.before_frame()
+            plotter.render_window.Render()
+            picture = plotter.screenshot(return_img=True).astype(float)
+            bright.append(picture[190:215, 215:265].mean())
+            skin.append(picture)
+    finally:
+        if occlusion is not None:
+            occlusion.release()
+        plotter.close()
+    assert bright[1] == pytest.approx(bright[0], rel=0.02)
+    assert skin[1].mean() < skin[0].mean(), "the skin about it is shaded"

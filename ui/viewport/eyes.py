@@ -57,7 +57,8 @@ class EyesInLids:
         widest = max(eye.radius for eye in eyes)
         looking = [(ball.points - eye.centre) * _mirror(eye) for ball, eye in zip(balls, eyes, strict=True)]
         self.balls.wear(eye_picture(widest, iris), eye_coordinates(np.concatenate(looking), widest))
-        apply(self.balls.actor, EYE, openness=True, detail=COLOURED)
+        # The shade of the lids is on the ball already.
+        apply(self.balls.actor, EYE, openness=True, detail=COLOURED, shaded=False)
         self.balls.actor.ForceOpaqueOn()
         self.balls.actor.GetProperty().BackfaceCullingOn()
         self.films, films = joined([_film(each) for each in made])

@@ -135,6 +135,10 @@ PLACED = "\n  //VTK::SSAO::Impl\n"
 of its own, which is not there any more; for anybody else it is a comment."""
 
 
+NOWHERE = "\n  vertexVC = vec4(0.0);\n"
+"""Tells that pass another place than that which is seen, whereupon it leaves the fragment as it is."""
+
+
 def apply(
     actor: vtkActor,
     material: Material,
@@ -143,6 +147,7 @@ def apply(
     detail: str = "",
     carried: Sequence[str] = (),
     ghost: Ghost = Ghost.SOLID,
+    shaded: bool = True,
 ) -> None:
     """Give an actor a material.
 
@@ -154,6 +159,7 @@ def apply(
     detail : GLSL that may change ``albedo``, ``open`` and ``gloss`` before light falls
     carried : which of `ATTRIBUTES` its points carry, as the vertex attributes ``paintMC`` and ``foldMC``
     ghost : whether one can look through it
+    shaded : whether the occlusion pass may darken it
     """
     text = (
         LIGHTING.replace("OPENNESS", "vertexColorVSOutput.a" if openness else "1.0")
@@ -162,7 +168,7 @@ def apply(
         .replace("OUTPUT", ghost.value)
         .replace("COVER", "paintVSOutput.a" if "paint" in carried else "0.0")
     )
-    _replace(actor, _functions(material, carried), text)
+    _replace(actor, _functions(material, carried), text if shaded else text + NOWHERE)
     if carried:
         kinds = [(ATTRIBUTES[name], name) for name in carried]
         declared = "".join(f"\nin {kind} {name}MC;\nout {kind} {name}VSOutput;" for kind, name in kinds)
