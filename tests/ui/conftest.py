@@ -19,11 +19,23 @@ from tests.ui.hands import let_go
 from ui.portraits import Portraits
 from ui.theme.apply import apply_theme
 from ui.theme.roles import DARK
+from ui.window.held_hand import HeldHand
 
 NO_DISPLAY = sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 PATIENCE = 60_000
 """Milliseconds after which something does not happen any more, on a machine that is slow and busy with other things."""
+
+
+@pytest.fixture(autouse=True)
+def _held_hand(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Have drags taken back in a test without the main window too."""
+    if "qapp" not in request.fixturenames:
+        yield
+        return
+    hand = HeldHand(request.getfixturevalue("qapp"), {})
+    yield
+    hand.close()
 
 
 @pytest.fixture(autouse=True, scope="session")

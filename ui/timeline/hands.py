@@ -1,4 +1,4 @@
-"""A hand on a part of the timeline: a click chooses, a drag begins a gesture, Esc and the right button end it."""
+"""A hand on a part of the timeline: a click chooses, a drag begins a gesture."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent
+from PySide6.QtGui import QMouseEvent
 
 from app.timeline.gestures import Gesture, Spot
 from facemodel.errors import RisoriusError
@@ -56,7 +56,6 @@ class Hands:
         self._first: Spot | None = None
         self._last: tuple[QPointF, Keys] | None = None
         self.gesture: Gesture | None = None
-        self._ended = False
 
     @property
     def busy(self) -> bool:
@@ -71,14 +70,6 @@ class Hands:
         self._first = self._spot(event.position(), event.modifiers())
         if self._grip.at_once:
             self._begin()
-
-    def press_right(self) -> None:
-        """The right button goes down: what is held is let go, without a trace."""
-        self._ended = self.cancel()
-
-    def offers_menu(self, event: QContextMenuEvent) -> bool:
-        """Whether a menu that is asked for may come: not over a gesture, nor by the press that ended one."""
-        return not self.busy and not (self._ended and event.reason() == QContextMenuEvent.Reason.Mouse)
 
     def move(self, event: QMouseEvent) -> None:
         """The pointer moves."""

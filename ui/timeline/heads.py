@@ -97,11 +97,13 @@ class Heads(QWidget):
         self._editor.entered.connect(lambda value: self._enter(line, value))
         self._editor.dismissed.connect(self._close_editor)
 
+    def take_back(self) -> bool:
+        """End the gesture under way as if it had never been; whether there was one."""
+        return self.hands.cancel()
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Turn a switch over, or take hold of the head or its value."""
-        if event.button() == Qt.MouseButton.RightButton:
-            self.hands.press_right()
-        elif event.button() == Qt.MouseButton.LeftButton:
+        if event.button() == Qt.MouseButton.LeftButton:
             placed, part = self.part_at(event.position())
             if placed is not None and part == "fold":
                 flip_fold(self._timeline, placed.line)
@@ -146,17 +148,13 @@ class Heads(QWidget):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """A menu about the line under the pointer, which is chosen first."""
-        if not self.hands.offers_menu(event):
-            return
         placed, _ = self.part_at(QPointF(event.pos()))
         if placed is not None and placed.line.key not in self._timeline.state.lines:
             self._choose(placed.line, Spot(0.0))
         self.asked.emit(placed.line if placed is not None else None, event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc ends a gesture, arrows go from line to line."""
-        if event.key() == Qt.Key.Key_Escape and self.hands.cancel():
-            return
+        """Arrows go from line to line."""
         if event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down):
             self._step(-1 if event.key() == Qt.Key.Key_Up else 1, bool(event.modifiers() & Keys.ShiftModifier))
             return

@@ -77,13 +77,15 @@ class Ruler(QWidget):
         """As wide as the sheet."""
         return QSize(100 * GRID, HEIGHT)
 
+    def take_back(self) -> bool:
+        """End the gesture under way as if it had never been; whether there was one."""
+        return self.hands.cancel()
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold; the right button ends a gesture."""
+        """Take hold."""
         if self._navigator.press(event):
             return
-        if event.button() == Qt.MouseButton.RightButton:
-            self.hands.press_right()
-        elif event.button() == Qt.MouseButton.LeftButton:
+        if event.button() == Qt.MouseButton.LeftButton:
             self.hands.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -113,17 +115,14 @@ class Ruler(QWidget):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """A menu about the moment under the pointer."""
-        if self.hands.offers_menu(event):
-            place = QPointF(event.pos())
-            mark = mark_at(self.pane(), place.x())
-            if mark and place.y() >= TIMES:
-                self._timeline.choose(mark)
-            self.asked.emit(self._view.scale.time(place.x()), event.globalPos())
+        place = QPointF(event.pos())
+        mark = mark_at(self.pane(), place.x())
+        if mark and place.y() >= TIMES:
+            self._timeline.choose(mark)
+        self.asked.emit(self._view.scale.time(place.x()), event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc ends a gesture; keys may change the one under way."""
-        if event.key() == Qt.Key.Key_Escape and self.hands.cancel():
-            return
+        """A key that changes the gesture under way."""
         self.hands.keys(event.modifiers())
         event.ignore()
 

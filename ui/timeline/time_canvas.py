@@ -132,12 +132,14 @@ class TimeCanvas(QWidget):
         """Whatever there is room for."""
         return QSize(10 * GRID, 4 * GRID)
 
+    def take_back(self) -> bool:
+        """End the gesture under way as if it had never been; whether there was one."""
+        return self.hands.cancel()
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of what is under the pointer; the right button ends a gesture."""
+        """Take hold of what is under the pointer."""
         if self.navigator.press(event):
             self.setCursor(Cursor.ClosedHandCursor)
-        elif event.button() == Qt.MouseButton.RightButton:
-            self.hands.press_right()
         elif event.button() == Qt.MouseButton.LeftButton:
             self.hands.press(event)
 
@@ -168,18 +170,15 @@ class TimeCanvas(QWidget):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """A menu about what is under the pointer, which is chosen first."""
-        if not self.hands.offers_menu(event):
-            return
         found = self.hit(QPointF(event.pos()))
         if not self.timeline.chosen.holds(found.chosen):
             self.timeline.choose(found.chosen)
         self.asked.emit(found, event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc ends a gesture, then lets go of what is chosen; other keys are for the timeline."""
+        """Esc lets go of what is chosen; other keys are for the timeline."""
         if event.key() == Qt.Key.Key_Escape:
-            if not self.hands.cancel():
-                self.timeline.choose(NOTHING)
+            self.timeline.choose(NOTHING)
             return
         self.hands.keys(event.modifiers())
         event.ignore()

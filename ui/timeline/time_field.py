@@ -77,12 +77,17 @@ class TimeField(QWidget):
             self._editor.entered.connect(self._enter)
             self._editor.dismissed.connect(self._close)
 
+    def take_back(self) -> bool:
+        """Go back to where the drag under way began; whether there was one."""
+        held, self._pressed = self._pressed is not None, None
+        if held:
+            self._timeline.playhead.go(self._from)
+        return held
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold; the right button takes a drag back, or changes how times are written."""
+        """Take hold; the right button changes how times are written."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._pressed, self._from, self._moved = event.position(), self._timeline.playhead.time, False
-        elif event.button() == Qt.MouseButton.RightButton and self._pressed is not None:
-            self._take_back()
         elif event.button() == Qt.MouseButton.RightButton:
             now = self._timeline.state.style
             self._timeline.change(style=STYLES[(STYLES.index(now) + 1) % len(STYLES)])
@@ -104,11 +109,9 @@ class TimeField(QWidget):
                 self.edit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter opens it for typing, Esc goes back to where a drag began."""
+        """Enter opens it for typing."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
             self.edit()
-        elif event.key() == Qt.Key.Key_Escape and self._pressed is not None:
-            self._take_back()
         else:
             event.ignore()
 
@@ -130,10 +133,6 @@ class TimeField(QWidget):
         painter.setFont(font)
         painter.setPen(QColor(theme.text))
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text)
-
-    def _take_back(self) -> None:
-        self._pressed = None
-        self._timeline.playhead.go(self._from)
 
     def _enter(self, seconds: float) -> None:
         self._close()

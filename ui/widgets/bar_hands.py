@@ -56,13 +56,14 @@ class BarHands:
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(label)
 
-    def cancel(self) -> None:
-        """Take the gesture in progress back."""
+    def take_back(self) -> bool:
+        """End the drag under way as if it had never been; whether there was one."""
         drag, self._drag = self._drag, None
         if drag is not None and drag.moving:
             self._restore(drag)
             self.cancelled.emit()
         self.update()
+        return drag is not None
 
     def edit(self) -> None:
         """Open the number for typing."""
@@ -72,11 +73,9 @@ class BarHands:
             self._editor.dismissed.connect(self._close_editor)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold; the right button resets, or cancels a drag that is under way."""
+        """Take hold; the right button resets."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._drag = self._grasp(event.position().x())
-        elif event.button() == Qt.MouseButton.RightButton and self._drag is not None:
-            self.cancel()
         elif event.button() == Qt.MouseButton.RightButton:
             self.reset()
 
@@ -104,11 +103,9 @@ class BarHands:
         event.ignore()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Step, edit, reset or cancel."""
+        """Step, edit or reset."""
         key = event.key()
-        if key == Qt.Key.Key_Escape and self._drag is not None:
-            self.cancel()
-        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
+        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
             self.edit()
         elif key in (Qt.Key.Key_Backspace, Qt.Key.Key_Delete):
             self.reset()
@@ -126,11 +123,10 @@ class BarHands:
 
     def event(self, event: QEvent) -> bool:
         """Keep the keys that mean something here, before a shortcut of the window takes them."""
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
-            wanted = event.key() in OWN_KEYS or (event.key() == Qt.Key.Key_Escape and self._drag is not None)
-            if wanted:
-                event.accept()
-                return True
+        override = isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride
+        if override and event.key() in OWN_KEYS:
+            event.accept()
+            return True
         return super().event(event)
 
     def enterEvent(self, event: QEnterEvent) -> None:

@@ -115,6 +115,15 @@ class BlendPad(QWidget):
         at = self.mapFromGlobal(over)
         return self._place(QPointF(at)) if self.rect().contains(at) else None
 
+    def take_back(self) -> bool:
+        """End the drag under way as if it had never been; whether there was one."""
+        drag, self._drag, self._carried = self._drag, "", None
+        if drag == "pointer":
+            self.pointer = self._before
+            self.dropped.emit()
+        self.update()
+        return bool(drag)
+
     @property
     def field(self) -> QRectF:
         """Where places lie; knots at its edge still lie whole on the pad."""
@@ -134,8 +143,6 @@ class BlendPad(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take hold of a knot, or bring the pointer here."""
-        if event.button() == Qt.MouseButton.RightButton and self._drag:
-            self._take_back()
         if event.button() != Qt.MouseButton.LeftButton:
             return
         self._finish_steps()
@@ -167,10 +174,10 @@ class BlendPad(QWidget):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let go."""
-        drag, carried = self._drag, self._carried
-        self._drag, self._carried = "", None
         if event.button() != Qt.MouseButton.LeftButton:
             return
+        drag, carried = self._drag, self._carried
+        self._drag, self._carried = "", None
         if drag == "pointer":
             self.kept.emit()
         elif drag == "knot" and carried is not None:
@@ -187,7 +194,7 @@ class BlendPad(QWidget):
             self.kept.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrows step the pointer, Delete takes the marked knot off, Esc takes a drag back."""
+        """Arrows step the pointer, Delete takes the marked knot off."""
         key = Qt.Key(event.key())
         if key in ARROWS:
             by = FINE if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else NUDGE
@@ -196,8 +203,6 @@ class BlendPad(QWidget):
             self.pointed.emit(x, y)
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace) and self.picked:
             self.placed.emit(self.picked, None)
-        elif key == Qt.Key.Key_Escape and self._drag:
-            self._take_back()
         else:
             super().keyPressEvent(event)
 
@@ -230,13 +235,6 @@ class BlendPad(QWidget):
     def _place(self, at: QPointF) -> Place:
         field = self.field
         return _within((at.x() - field.x()) / field.width()), _within((field.bottom() - at.y()) / field.height())
-
-    def _take_back(self) -> None:
-        drag, self._drag, self._carried = self._drag, "", None
-        if drag == "pointer":
-            self.pointer = self._before
-            self.dropped.emit()
-        self.update()
 
     def _finish_steps(self) -> None:
         if self._stepping:

@@ -85,21 +85,20 @@ class CurveEdit(QWidget):
         """Where a knot is drawn."""
         return self._pixel(self.profile.at[knot], self.profile.values[knot])
 
-    def cancel(self) -> None:
-        """Take the gesture in progress back."""
+    def take_back(self) -> bool:
+        """End the drag under way as if it had never been; whether there was one."""
         before, self._before = self._before, None
         if before is not None:
             self.set_profile(before)
             if self._moved:
                 self.cancelled.emit()
         self.update()
+        return before is not None
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take a knot in hand; the right button takes one out, or cancels a drag."""
+        """Take a knot in hand; the right button takes one out."""
         knot = self._under(event.position())
-        if event.button() == Qt.MouseButton.RightButton and self._before is not None:
-            self.cancel()
-        elif knot is not None:
+        if knot is not None:
             self._take(knot)
             if event.button() == Qt.MouseButton.LeftButton:
                 self._before, self._moved = self.profile, False
@@ -144,9 +143,7 @@ class CurveEdit(QWidget):
         """Arrows move the knot in hand, Page keys take the next one, Delete takes it out."""
         ways = {Key.Key_Left: (-1, 0), Key.Key_Right: (1, 0), Key.Key_Up: (0, 1), Key.Key_Down: (0, -1)}
         key = Key(event.key())
-        if key == Key.Key_Escape and self._before is not None:
-            self.cancel()
-        elif key in (Key.Key_Delete, Key.Key_Backspace):
+        if key in (Key.Key_Delete, Key.Key_Backspace):
             self._remove()
         elif key in (Key.Key_PageDown, Key.Key_PageUp):
             self._take((self.knot + (1 if key == Key.Key_PageDown else -1)) % len(self.profile.at))
@@ -167,7 +164,7 @@ class CurveEdit(QWidget):
 
     def event(self, event: QEvent) -> bool:
         """Keep the keys that mean something here, before a shortcut of the window takes them."""
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and self._wants(event):
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and event.key() in OWN:
             event.accept()
             return True
         return super().event(event)
@@ -213,9 +210,6 @@ class CurveEdit(QWidget):
         write(QRectF(top.x() + 4, foot.y() - 11, 40, 14), left, f"{self.axes.least:g}")
         write(QRectF(foot.x() - 80, foot.y() - 11, 80, 14), right, f"{self.axes.reach:g}")
         write(QRectF(self._pixel(mark, 0.0).x() + 4, foot.y() - 11, 90, 14), left, name)
-
-    def _wants(self, event: QKeyEvent) -> bool:
-        return event.key() in OWN or (event.key() == Key.Key_Escape and self._before is not None)
 
     def _take(self, knot: int) -> None:
         self.knot = knot

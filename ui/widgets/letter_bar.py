@@ -74,6 +74,14 @@ class LetterBar(QWidget):
         """Where a letter begins, in pixels from the left."""
         return self.width() * self._begins[NAMES.index(letter)] / self.end
 
+    def take_back(self) -> bool:
+        """End the drag under way as if it had never been; whether there was one."""
+        held, self._held = self._held, False
+        if held:
+            self.cancelled.emit()
+        self.update()
+        return held
+
     def edit(self) -> None:
         """Open the beginning of the chosen letter for typing."""
         if self._editor is None:
@@ -82,10 +90,8 @@ class LetterBar(QWidget):
             self._editor.dismissed.connect(self._close_editor)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of the nearest cut; the right button takes a drag back."""
-        if event.button() == Qt.MouseButton.RightButton:
-            self._take_back()
-        elif event.button() == Qt.MouseButton.LeftButton:
+        """Take hold of the nearest cut."""
+        if event.button() == Qt.MouseButton.LeftButton:
             self._chosen = self._nearest(event.position())
             self._held = abs(self.place(NAMES[self._chosen]) - event.position().x()) <= REACH
             self.update()
@@ -114,11 +120,9 @@ class LetterBar(QWidget):
         self.edit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Choose, step, type or take back."""
+        """Choose, step or type."""
         text = event.text().upper()
-        if event.key() == Qt.Key.Key_Escape and self._held:
-            self._take_back()
-        elif text and text in NAMES:
+        if text and text in NAMES:
             self._chosen = NAMES.index(text)
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2):
             self.edit()
@@ -186,13 +190,7 @@ class LetterBar(QWidget):
     def _wants(self, event: QKeyEvent) -> bool:
         plain = not event.modifiers() & ~Qt.KeyboardModifier.ShiftModifier
         arrows = event.key() in (Qt.Key.Key_Left, Qt.Key.Key_Right)
-        return plain and (self.held or arrows or event.text().upper() in NAMES)
-
-    def _take_back(self) -> None:
-        held, self._held = self._held, False
-        if held:
-            self.cancelled.emit()
-        self.update()
+        return plain and (self._stepping or arrows or event.text().upper() in NAMES)
 
     def _tell(self, weight: float) -> None:
         self.previewed.emit(NAMES[self._chosen], weight)

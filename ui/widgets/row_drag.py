@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QApplication
 
 from ui.theme.apply import current_theme
@@ -33,8 +33,7 @@ class Drop:
 class RowDrag:
     """Mixed into an item view with a signal ``dropped(object, object)``: the row that was dragged, and a target.
 
-    The view says what a row is by `row_at` and where rows can go by `drop_at`.  Esc and the right button end a drag
-    without a trace.
+    The view says what a row is by `row_at` and where rows can go by `drop_at`.
     """
 
     _pressed: QPoint | None = None
@@ -49,19 +48,17 @@ class RowDrag:
         """Where a row that is let go at a place comes to stand."""
         raise NotImplementedError
 
-    def take_back(self) -> None:
-        """Leave the row in hand where it is."""
-        self._pressed = None
+    def take_back(self) -> bool:
+        """Leave the row in hand where it is; whether there was one."""
+        held, self._pressed = self._pressed is not None, None
         self._end_drag()
+        return held
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Choose a row, which may be about to be dragged; the right button leaves the one in hand where it is."""
-        if event.button() == Qt.MouseButton.RightButton and self._dragged is not None:
-            self.take_back()
-            return
+        """Choose a row, which may be about to be dragged."""
         super().mousePressEvent(event)  # type: ignore[misc]
-        left = event.button() == Qt.MouseButton.LeftButton
-        self._pressed = event.position().toPoint() if left else None
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._pressed = event.position().toPoint()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Drag the row, once it is farther than a click trembles."""
@@ -81,20 +78,14 @@ class RowDrag:
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let the row go where the line is."""
         dragged, drop = self._dragged, self._drop
-        self._pressed = None
-        if dragged is None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._pressed = None
+        if dragged is None or self._pressed is not None:
             super().mouseReleaseEvent(event)  # type: ignore[misc]
             return
         self._end_drag()
         if drop is not None:
             self.dropped.emit(dragged, drop.target)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc leaves the row where it is."""
-        if event.key() == Qt.Key.Key_Escape and self._dragged is not None:
-            self.take_back()
-        else:
-            super().keyPressEvent(event)  # type: ignore[misc]
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """The rows, and the line between them."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.widgets.face_button import FaceButton
@@ -47,9 +47,7 @@ class StrengthButton(FaceButton):
         """A click alone checks nothing: what is shown follows the face."""
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold; the right button takes a drag back."""
-        if event.button() == Qt.MouseButton.RightButton:
-            self._take_back()
+        """Take hold."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._pressed_at = event.position().x()
             self._dragging = False
@@ -79,18 +77,14 @@ class StrengthButton(FaceButton):
         else:
             super().mouseReleaseEvent(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc takes a drag back."""
-        if event.key() == Qt.Key.Key_Escape and self._dragging:
-            self._take_back()
-        else:
-            super().keyPressEvent(event)
-
-    def _take_back(self) -> None:
-        dragging, self._dragging, self._pressed_at = self._dragging, False, None
+    def take_back(self) -> bool:
+        """End the drag under way, or the click, as if it had never been; whether there was one."""
+        held, dragging = self._pressed_at is not None, self._dragging
+        self._dragging, self._pressed_at = False, None
+        self.setDown(False)
         if dragging:
-            self.setDown(False)
             self.cancelled.emit()
+        return held
 
     def _click(self) -> None:
         self.pressed_fully.emit(self._strength != 1.0)

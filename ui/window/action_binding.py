@@ -14,7 +14,6 @@ from app.actions.action import Action, perform, shortcuts_of
 from app.actions.context import Context, state_signals, table_signals
 from ui.theme.action_icons import GLYPHS
 from ui.theme.icons import icon
-from ui.window.held_hand import TAKE_BACK, end_drag
 
 Table = Callable[[Context], tuple[Action, ...]]
 """All actions there are now."""
@@ -87,9 +86,7 @@ class ActionBinding(QObject):
             self.refresh()
 
     def perform(self, key: str) -> None:
-        """Do an action by its id; undo in the middle of a drag takes that back instead."""
-        if key in TAKE_BACK and end_drag():
-            return
+        """Do an action by its id."""
         for action in self.actions:
             if action.id == key:
                 perform(action, self._context)

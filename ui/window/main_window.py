@@ -37,7 +37,7 @@ from ui.window.dock import Dock
 from ui.window.drawing_quality import DrawingQuality
 from ui.window.file_drops import FileDrops
 from ui.window.first_hints import FirstHints
-from ui.window.held_hand import end_drag, takes_back
+from ui.window.held_hand import HeldHand, tool_in_hand
 from ui.window.host import WindowHost
 from ui.window.layout import Layout, layout_from, layout_text
 from ui.window.menus import fill_menus
@@ -99,6 +99,7 @@ class MainWindow(QMainWindow):
         self.timeline = TimelineDesk(self.span, self.binding, self.viewport, self.context, self.portraits)
         self.docks = self._make_docks(document)
         self.hands = ToolHands(self.viewport.canvas, self.viewport.scene, self.toolbox)
+        self.held = HeldHand(self, self.binding.qt, {self.viewport.canvas: tool_in_hand(self.hands, self.toolbox)})
         self.strip = ToolStrip(self.binding, self.toolbox)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.strip)
         self.status = StatusLine(self)
@@ -139,14 +140,13 @@ class MainWindow(QMainWindow):
         """Keys meet the state as it is; those that walk within a panel are its own while it has the keyboard."""
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             self.binding.settle()
-            own = walks(event, self.focusWidget(), self.viewport.canvas)
-            if own or takes_back(event, self.binding.qt):
+            if walks(event, self.focusWidget(), self.viewport.canvas):
                 event.accept()
         return super().event(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """End a drag, ask about an export and unsaved changes, remember the layout, stop what is being solved."""
-        end_drag()
+        self.held.take_back()
         if not (self.context.host.may_stop_export() and may_leave(self.context)):
             event.ignore()
             return
@@ -158,8 +158,8 @@ class MainWindow(QMainWindow):
         self.check.job.close()
         self.portraits.close()
         self.toolbox.bench.clear()
-        self.timeline.close()
-        self.viewport.close()
+        for part in (self.timeline, self.viewport, self.held):
+            part.close()
         event.accept()
         self.closed.emit()
 

@@ -216,6 +216,7 @@ def test_a_double_click_shows_one_alone_and_delete_takes_it_off(panel, context):
     pad = panel.blend.pad
     QTest.mouseClick(pad, LEFT, pos=spot(panel, 0.1, 0.9))
     QTest.mouseDClick(pad, LEFT, pos=spot(panel, 0.1, 0.9))
+    QTest.mouseRelease(pad, LEFT, pos=spot(panel, 0.1, 0.9))
     assert context.document.shown == {"12L": 0.9, "12R": 0.9}
     pad.setFocus()
     QTest.keyClick(pad, Qt.Key.Key_Delete)

@@ -27,6 +27,7 @@ from ui.timeline.sight_actions import sight_actions
 from ui.timeline.transport import Transport
 from ui.timeline.view import TimelineView
 from ui.window.action_binding import ActionBinding
+from ui.window.held_hand import HeldHand
 
 
 @pytest.fixture
@@ -42,6 +43,7 @@ def stage(shown: Callable, context: Context) -> Iterator[Stage]:
     own = (*timeline_actions(timeline), *sight_actions(view))
     signals = (timeline.changed, timeline.playhead.playing_changed)
     binding = ActionBinding(window, context, lambda each: (*all_actions(each), *own), signals)
+    hand = HeldHand(window, binding.qt)
     shelf, opened = SoundShelf(context.document), list[str]()
     painter = LinePainter(lambda _time: None)
     painter.add("audio", SoundPainter(shelf).paint)
@@ -60,5 +62,6 @@ def stage(shown: Callable, context: Context) -> Iterator[Stage]:
     made = Stage(window, context, timeline, view, panel, transport, opened)
     made.settle()
     yield made
+    hand.close()
     shelf.close()
     timeline.playhead.close()

@@ -139,10 +139,10 @@ class ExpressionRows(RowDrag, QListWidget):
         else:
             super().keyPressEvent(event)
 
-    def take_back(self) -> None:
-        """Leave the row in hand where it is, and off whatever it is over."""
+    def take_back(self) -> bool:
+        """Leave the row in hand where it is, and off whatever it is over; whether there was one."""
         self.carried.emit(self._dragged, None)
-        super().take_back()
+        return super().take_back()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """A row that leaves the list is carried over whatever is there."""
