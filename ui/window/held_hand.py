@@ -24,7 +24,7 @@ _Kind, _Key = QEvent.Type, Qt.Key
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 
 PRESSES = frozenset((_Kind.MouseButtonPress, _Kind.MouseButtonDblClick))
-KEYS = frozenset((_Kind.ShortcutOverride, _Kind.KeyPress))
+KEYS = frozenset((_Kind.ShortcutOverride, _Kind.KeyPress, _Kind.KeyRelease))
 HEARD = PRESSES | KEYS | {_Kind.MouseButtonRelease, _Kind.ContextMenu}
 
 MODIFIERS = frozenset((_Key.Key_Shift, _Key.Key_Control, _Key.Key_Alt, _Key.Key_AltGr, _Key.Key_Meta))
@@ -63,6 +63,7 @@ class HeldHand(QObject):
         self._actions, self._lent = actions, lent
         self._held: tuple[tuple[QWidget, TakeBack], ...] = ()
         self._right = False
+        self._refused: set[int] = set()
         QApplication.instance().installEventFilter(self)
 
     @property
@@ -90,6 +91,8 @@ class HeldHand(QObject):
     def _keeps(self, watched: QWidget, event: QEvent) -> bool:
         if isinstance(event, QContextMenuEvent):
             return self.holds or (self._right and event.reason() == QContextMenuEvent.Reason.Mouse)
+        if isinstance(event, QKeyEvent) and event.type() == _Kind.KeyRelease:
+            return self._keeps_release(event)
         if isinstance(event, QKeyEvent):
             return self.holds and not self._is_typed_into(watched) and self._keeps_key(event)
         if isinstance(event, QMouseEvent) and event.type() in PRESSES:
@@ -119,9 +122,19 @@ class HeldHand(QObject):
     def _keeps_key(self, event: QKeyEvent) -> bool:
         if event.key() in MODIFIERS:
             return False
-        if event.type() == _Kind.KeyPress and self._takes_back(event):
-            self.take_back()
+        if event.type() == _Kind.KeyPress:
+            if not event.isAutoRepeat():
+                self._refused.add(event.key())
+            if self._takes_back(event):
+                self.take_back()
         return True
+
+    def _keeps_release(self, event: QKeyEvent) -> bool:
+        """A key that nobody heard go down is not heard to go up: on a button that is held, Space would be a click."""
+        refused = event.key() in self._refused
+        if refused and not event.isAutoRepeat():
+            self._refused.discard(event.key())
+        return refused
 
     def _takes_back(self, event: QKeyEvent) -> bool:
         pressed = QKeySequence(event.keyCombination())

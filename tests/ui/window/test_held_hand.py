@@ -63,7 +63,7 @@ class Held:
     window: MainWindow
     widget: QWidget
     place: QPoint
-    before: tuple[object, ...]
+    before: dict[str, object]
 
     def go_on(self, way: QPoint) -> None:
         for share in (0.4, 0.7, 1.0):
@@ -77,18 +77,27 @@ class Held:
         QApplication.processEvents()
 
     @property
-    def now(self) -> tuple[object, ...]:
+    def now(self) -> dict[str, object]:
         return all_of(self.window)
 
 
-def all_of(window: MainWindow) -> tuple[object, ...]:
+def all_of(window: MainWindow) -> dict[str, object]:
     """Return everything that a key might change."""
     document, playhead = window.context.document, window.timeline.timeline.playhead
-    return (
-        *(document.project, document.shown, document.held, document.history.done, document.history.to_redo),
-        *(document.dirty, document.path.read_bytes(), playhead.playing, window.context.view.state.workspace),
-        *(window.palette_box.isVisible(), len(window.findChildren(NumberEdit))),
-    )
+    return {
+        "animation": repr(document.project.animation),
+        "places": [each.place for each in document.project.emotions],
+        "expression": document.project.expression,
+        "shown": document.shown,
+        "held": document.held,
+        "done": document.history.done,
+        "redo": document.history.to_redo is not None,
+        "file": hash(document.path.read_bytes()),
+        "playing": playhead.playing,
+        "workspace": window.context.view.state.workspace,
+        "palette": window.palette_box.isVisible(),
+        "typing": len(window.findChildren(NumberEdit)),
+    }
 
 
 def slider(window: MainWindow) -> tuple[QWidget, QPoint]:
