@@ -12,6 +12,7 @@ from ui.theme.chosen import chosen_ground, quiet_ink
 from ui.theme.colour import blend, contrast
 from ui.theme.icons import FAMILY
 from ui.theme.metrics import GRID, ICON, RADIUS, ROW
+from ui.theme.roles import Theme
 
 KEYS = Qt.ItemDataRole.UserRole + 1
 """Keys of the muscles that a cell stands for."""
@@ -30,8 +31,9 @@ GLYPHS = {EYE: ("eye-outline", "eye-off-outline"), LOCK: ("lock-open-variant-out
 
 SWATCH = 8
 """Side of the colour that a group has on the face."""
-QUIET = 0.35
-"""Share of writing in the colour of a switch that is off; it is seen only in the row under the pointer."""
+QUIET, HALF = 0.55, 0.7
+"""Shares of writing in the colours of a switch that is off, which is seen only in the row under the pointer, and of one
+that is on for some of its muscles.  Off it still keeps 3 to 1 on its ground, as WCAG 2.2 asks of controls."""
 ROLES = {"L": "left", "R": "right", "M": "both"}
 
 Cell = QModelIndex | QPersistentModelIndex
@@ -65,6 +67,11 @@ class MuscleCells(QStyledItemDelegate):
         painter.restore()
 
 
+def switch_ink(theme: Theme, share: float) -> QColor:
+    """The colour of a switch that is on for a share (0..1) of its muscles."""
+    return blend(theme.panel, theme.text, 1.0 if share == 1.0 else HALF if share else QUIET)
+
+
 def _paint_switch(painter: QPainter, option: QStyleOptionViewItem, index: Cell, near: bool) -> None:
     share = index.data(SHARE) or 0.0
     if not share and not near:
@@ -72,8 +79,7 @@ def _paint_switch(painter: QPainter, option: QStyleOptionViewItem, index: Cell, 
     theme = current_theme()
     off, on = GLYPHS[index.column()]
     hovered = bool(option.state & HOVERED)
-    strength = 1.0 if hovered or share == 1.0 else 0.6 if share else QUIET
-    painter.setPen(blend(theme.panel, theme.text, strength))
+    painter.setPen(switch_ink(theme, 1.0 if hovered else share))
     painter.setFont(qtawesome.font(FAMILY, ICON - 2))
     painter.drawText(
         QRectF(option.rect), Qt.AlignmentFlag.AlignCenter, qtawesome.charmap(f"{FAMILY}.{on if share else off}")
