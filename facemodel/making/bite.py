@@ -1,0 +1,55 @@
+"""Seat the teeth of a head behind its lips: those of the base mesh end above the lips' line, edge to edge."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from facemodel.face import Face, Part
+from facemodel.jaw.opening import incisal_edge
+from facemodel.smooth import smooth_step
+from fem.types import FloatArray
+
+SHOWN = 2.2
+"""Millimetres of the upper incisors that are seen below an upper lip at rest: 1 to 3 on adults."""
+
+OVERBITE = 1.0
+"""Millimetres that upper incisors hang over the lower ones: 2 to 3 on adults; every tenth more would take as much
+from what a jaw opens between the incisors."""
+
+OVERJET = 2.0
+"""Millimetres that the edges of the upper incisors lie before those of the lower ones: the norm of adults."""
+
+FRONT, SIDE = 4.0, 18.0
+"""Millimetres behind the edge of the incisors to which the upper row laps over the lower one all the way, and from
+where on not at all: canines still do, molars meet."""
+
+
+def with_seated_teeth(face: Face) -> Face:
+    """A face whose upper incisors show under its resting lips, and lie over and before the lower ones.
+
+    The lower row and the tongue in it come down as they are, and so does the upper row as far as its molars; its front
+    laps over the lower one.  Seated teeth stay where they are.
+    """
+    parts = {part.name: part for part in face.parts}
+    upper, lower = (parts[f"teeth-{row}"] for row in ("upper", "lower"))
+    line = face.skin.positions[[face.landmarks["upper_lip_mid"], face.landmarks["lower_lip_mid"]]].mean(axis=0)
+    hanging, standing = _edge(upper), _edge(lower)
+    down = line[1] - SHOWN + OVERBITE - standing[1]
+    lap = standing + [0.0, down - OVERBITE, OVERJET] - hanging - [0.0, down, 0.0]
+    share = 1 - smooth_step((hanging[2] - upper.mesh.positions[:, 2] - FRONT) / (SIDE - FRONT))
+    seated = {
+        upper.name: share[:, None] * lap + [0.0, down, 0.0],
+        lower.name: np.array([0.0, down, 0.0]),
+        "tongue": np.array([0.0, down, 0.0]),
+    }
+    return replace(face, parts=tuple(_moved(part, seated.get(part.name)) for part in face.parts))
+
+
+def _edge(row: Part) -> FloatArray:
+    return np.asarray(row.mesh.positions[incisal_edge(row)] * [0.0, 1.0, 1.0])
+
+
+def _moved(part: Part, way: FloatArray | None) -> Part:
+    return part if way is None else replace(part, mesh=part.mesh.moved(part.mesh.positions + way))
