@@ -14,6 +14,7 @@ from facemodel.atlas import write_atlas
 from facemodel.face import Face
 from facemodel.faces import DEFAULT_FACE, load_face
 from facemodel.io.face_file import write_face
+from facemodel.making.bite import with_seated_teeth
 from facemodel.making.gains import find_gains
 from facemodel.making.head import base_cut, make_face, painted
 from facemodel.making.individuals import INDIVIDUALS
@@ -42,7 +43,7 @@ def main() -> None:
     wheel = Wheel(asked.wheel)
     cut = base_cut(wheel)
     for person in people:
-        face = painted(with_closed_lips(make_face(wheel, person, cut)))
+        face = painted(with_seated_teeth(with_closed_lips(make_face(wheel, person, cut))))
         write_face(face, resource("faces", f"{person.key}.face"), single=True)
         make_atlas(face)
         if person.key == DEFAULT_FACE:
