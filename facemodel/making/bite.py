@@ -15,15 +15,19 @@ SHOWN = 2.2
 """Millimetres of the upper incisors that are seen below an upper lip at rest: 1 to 3 on adults."""
 
 OVERBITE = 1.0
-"""Millimetres that upper incisors hang over the lower ones: 2 to 3 on adults; every tenth more would take as much
+"""Millimetres that upper incisors hang over the lower ones: less than the 2 of most adults, since each takes as much
 from what a jaw opens between the incisors."""
 
-OVERJET = 2.0
-"""Millimetres that the edges of the upper incisors lie before those of the lower ones: the norm of adults."""
+OVERJET = 1.6
+"""Millimetres that the edges of upper incisors lie before those of the lower ones, some 2 on adults.  What thin lips
+are in each other and in the teeth over random mixes of all units is least here, and grows to either side."""
 
-FRONT, SIDE = 4.0, 18.0
-"""Millimetres behind the edge of the incisors to which the upper row laps over the lower one all the way, and from
-where on not at all: canines still do, molars meet."""
+HANGING = (2.0, 12.0)
+"""Millimetres behind the edge of the incisors to which the upper row hangs over the lower one all the way, and from
+where on not at all: canines do in part, molars meet."""
+
+AHEAD = (0.0, 5.0)
+"""The same for how far it lies before the lower one: incisors alone, since thin lips rest on the canines."""
 
 
 def with_seated_teeth(face: Face) -> Face:
@@ -37,10 +41,11 @@ def with_seated_teeth(face: Face) -> Face:
     line = face.skin.positions[[face.landmarks["upper_lip_mid"], face.landmarks["lower_lip_mid"]]].mean(axis=0)
     hanging, standing = _edge(upper), _edge(lower)
     down = line[1] - SHOWN + OVERBITE - standing[1]
-    lap = standing + [0.0, down - OVERBITE, OVERJET] - hanging - [0.0, down, 0.0]
-    share = 1 - smooth_step((hanging[2] - upper.mesh.positions[:, 2] - FRONT) / (SIDE - FRONT))
+    drop, ahead = standing[1] - OVERBITE - hanging[1], standing[2] + OVERJET - hanging[2]
+    behind = hanging[2] - upper.mesh.positions[:, 2]
+    lap = np.stack([np.zeros(len(behind)), drop * _share(behind, HANGING), ahead * _share(behind, AHEAD)], axis=1)
     seated = {
-        upper.name: share[:, None] * lap + [0.0, down, 0.0],
+        upper.name: lap + [0.0, down, 0.0],
         lower.name: np.array([0.0, down, 0.0]),
         "tongue": np.array([0.0, down, 0.0]),
     }
@@ -49,6 +54,10 @@ def with_seated_teeth(face: Face) -> Face:
 
 def _edge(row: Part) -> FloatArray:
     return np.asarray(row.mesh.positions[incisal_edge(row)] * [0.0, 1.0, 1.0])
+
+
+def _share(behind: FloatArray, ends: tuple[float, float]) -> FloatArray:
+    return 1 - smooth_step((behind - ends[0]) / (ends[1] - ends[0]))
 
 
 def _moved(part: Part, way: FloatArray | None) -> Part:
