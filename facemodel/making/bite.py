@@ -44,11 +44,8 @@ def with_seated_teeth(face: Face) -> Face:
     drop, ahead = standing[1] - OVERBITE - hanging[1], standing[2] + OVERJET - hanging[2]
     behind = hanging[2] - upper.mesh.positions[:, 2]
     lap = np.stack([np.zeros(len(behind)), drop * _share(behind, HANGING), ahead * _share(behind, AHEAD)], axis=1)
-    seated = {
-        upper.name: lap + [0.0, down, 0.0],
-        lower.name: np.array([0.0, down, 0.0]),
-        "tongue": np.array([0.0, down, 0.0]),
-    }
+    whole = np.array([0.0, down, 0.0])
+    seated = {upper.name: whole + lap, lower.name: whole, "tongue": whole}
     return replace(face, parts=tuple(_moved(part, seated.get(part.name)) for part in face.parts))
 
 
