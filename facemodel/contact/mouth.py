@@ -83,7 +83,7 @@ def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[
     ]
     along = axes.along(slit.rest)
     within = np.clip(along / (reach.corner * ends[1] / reach.end), -1, 1)
-    deep = reach.kept * np.sqrt(1 - within**8)
+    deep = reach.kept * np.sqrt(1 - np.abs(within) ** 9)
     kept, shown = slit.away < deep, slit.away < deep + BESIDE
     moved = np.any([np.abs(share).max(axis=1) > LEAST_SHARE for _, share in shares], axis=0)
     rows = np.flatnonzero(moved | kept | shown)
