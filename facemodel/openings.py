@@ -98,8 +98,8 @@ def on_upper_side(mesh: Mesh, slit: Slit) -> BoolArray:
 
 
 ALIKE = 3.0
-"""Millimetres by which ways to both edges differ at most where they lead to a corner; they go along edges, and to a deep
-corner one of them is cut short."""
+"""Millimetres by which ways to both edges differ at most where they lead to a corner; they go along edges, and beside a
+deep corner one of them may be cut short."""
 
 SHORTEST = 1e-6
 """Millimetres; an edge of no length would be no edge of the graph."""
