@@ -10,6 +10,7 @@ from scipy.spatial import KDTree
 
 from facemodel.actions import Expression
 from facemodel.basis import Basis
+from facemodel.contact.drawn import BESIDE_CORNER
 from facemodel.face import Eye, Face
 from facemodel.openings import mouth_of, on_upper_side
 from facemodel.superposition import Superposition
@@ -71,7 +72,7 @@ class MouthDepths:
         mouth = mouth_of(face)
         assert mouth is not None
         display = basis.display
-        side = on_upper_side(face.skin, mouth)[face.skin.triangles[display.elements]]
+        side = on_upper_side(face.skin, mouth, BESIDE_CORNER)[face.skin.triangles[display.elements]]
         upper = np.einsum("pk,pk->p", display.barycentric, side.astype(np.float64)) > 0.5
         edge = face.skin.positions[np.concatenate([mouth.upper, mouth.lower])]
         away = KDTree(edge).query(display.points)[0]

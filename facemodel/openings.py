@@ -73,12 +73,20 @@ def along(positions: FloatArray, chain: IntArray) -> FloatArray:
     return np.asarray(2 * reached / reached[-1] - 1)
 
 
-def on_upper_side(mesh: Mesh, slit: Slit) -> BoolArray:
+ALIKE = 1.5
+"""Millimetres by which ways to both edges differ at most where they lead to a corner; they go along edges."""
+
+
+def on_upper_side(mesh: Mesh, slit: Slit, alike: float = ALIKE) -> BoolArray:
     """Skin vertices (N,) from which the way over the skin to the upper edge is the shorter one.
 
     Lips that rest on each other are near in space; on the skin they are far from each other.  Beside a corner, which is
     of both edges, the skin is parted where a membrane would be halfway that is up along the upper edge and down along
     the lower one.
+
+    Parameters
+    ----------
+    alike : millimetres by which the ways to both edges differ at most beside a corner
     """
     i, j = mesh.edges.T
     length = np.maximum(np.linalg.norm(mesh.positions[i] - mesh.positions[j], axis=1), SHORTEST)
@@ -86,7 +94,7 @@ def on_upper_side(mesh: Mesh, slit: Slit) -> BoolArray:
     graph = csr_array((np.tile(length, 2), (np.concatenate([i, j]), np.concatenate([j, i]))), shape=(count, count))
     upper, lower = (dijkstra(graph, indices=chain, min_only=True) for chain in (slit.upper, slit.lower))
     height = np.where(upper < lower, 1.0, -1.0)
-    open_to_both = ~(np.abs(upper - lower) > ALIKE)
+    open_to_both = ~(np.abs(upper - lower) > alike)
     open_to_both[slit.upper[1:-1]] = open_to_both[slit.lower[1:-1]] = False
     height[slit.upper[1:-1]], height[slit.lower[1:-1]] = 1.0, -1.0
     free = np.flatnonzero(open_to_both)
@@ -96,10 +104,6 @@ def on_upper_side(mesh: Mesh, slit: Slit) -> BoolArray:
     height[free] = splu(held[:, free].tocsc()).solve(-(held[:, ~open_to_both] @ height[~open_to_both]))
     return np.asarray(height > 0)
 
-
-ALIKE = 3.0
-"""Millimetres by which ways to both edges differ at most where they lead to a corner; they go along edges, and beside a
-deep corner one of them may be cut short."""
 
 SHORTEST = 1e-6
 """Millimetres; an edge of no length would be no edge of the graph."""

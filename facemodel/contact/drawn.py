@@ -71,7 +71,7 @@ def drawn_slit(face: Face, display: DisplaySurface, slit: Slit) -> DrawnSlit | N
     if edges is None or max(edges.upper.max(), edges.lower.max()) >= display.moving:
         return None
     skin, moving = face.skin, slice(0, display.moving)
-    vertex_upper = on_upper_side(skin, slit)
+    vertex_upper = on_upper_side(skin, slit, BESIDE_CORNER)
     corners = skin.triangles[display.elements[moving]]
     share = np.einsum("pk,pk->p", display.barycentric[moving], vertex_upper[corners].astype(np.float64))
     carried = carried_points(face, vertex_upper[:, None].astype(np.float64))[:, 0]
@@ -83,6 +83,9 @@ def drawn_slit(face: Face, display: DisplaySurface, slit: Slit) -> DrawnSlit | N
     vertex_away = _distance(skin.positions, vertex_upper, chains)
     return DrawnSlit(face, rest, len(carried), edges, upper, away, vertex_upper, vertex_away)
 
+
+BESIDE_CORNER = 3.0
+"""Millimetres by which ways to both edges differ at most beside a corner that may lie deep, where one is cut short."""
 
 HALF = 0.5
 """A point between vertices of both sides belongs to the one of which it has more."""
