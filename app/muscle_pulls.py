@@ -18,6 +18,12 @@ from fem.types import FloatArray
 FAINTEST = 0.05
 """Share of its largest pull below which a muscle is not felt at a place."""
 
+SMALLEST = 1e-12
+"""Pull of a muscle that has none."""
+
+BELT = 0.55
+"""The same of a ring, which has no ends: it lies where it is strong, and its force fades far beyond."""
+
 ALL_ALONG, BROADER = 0.7, 1.5
 """Kappa of fibres that pull much the same along their whole length, and how much wider a belly is than the strip of
 skin that it pulls: a muscle lies where its belly is, even if it moves the skin only where it is attached, as frontalis
@@ -37,12 +43,12 @@ class MusclePulls:
 
     def strongest(self, project: Project, vertex: int, hidden: frozenset[str] = frozenset()) -> Muscle | None:
         """The muscle that lies most under a skin vertex, measured by its own largest pull; None where none does."""
-        best, share = None, FAINTEST
+        best, most = None, 0.0
         for muscle in project.muscles:
             pull = self.of(muscle, project.face)
-            top = float(pull.max())
-            if muscle.key not in hidden and top > 0 and pull[vertex] / top > share:
-                best, share = muscle, float(pull[vertex] / top)
+            share = float(pull[vertex]) / max(float(pull.max()), SMALLEST)
+            if muscle.key not in hidden and share > max(most, FAINTEST if muscle.fibres else BELT):
+                best, most = muscle, share
         return best
 
 
