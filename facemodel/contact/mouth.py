@@ -23,7 +23,7 @@ from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 LIPS = Reach(whole=(2.0, 2.0), faded=(16.0, 16.0), kept=11.5, end=0.97, joined=0.9)
 """The red of a lip gives way as a whole; nose and chin stay, so that lips that are pressed get thinner."""
 
-ROUNDED = 9
+ROUNDED = 10
 """Power of the way to a corner with which the depth that is kept ends there: with a lower one lips get into each other
 in pursed corners, with a higher one they are torn where they crumple."""
 
@@ -87,7 +87,7 @@ def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[
     ]
     along = axes.along(slit.rest)
     within = np.clip(along / (reach.corner * ends[1] / reach.end), -1, 1)
-    deep = reach.kept * np.sqrt(1 - np.abs(within) ** ROUNDED)
+    deep = reach.kept * np.sqrt(1 - within**ROUNDED)
     kept, shown = slit.away < deep, slit.away < deep + BESIDE
     moved = np.any([np.abs(share).max(axis=1) > LEAST_SHARE for _, share in shares], axis=0)
     rows = np.flatnonzero(moved | kept | shown)
