@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from facemodel.compiled import compiled
 from fem.types import FloatArray
 
 
@@ -11,3 +12,10 @@ def smooth_step(x: FloatArray) -> FloatArray:
     """0 below 0, 1 above 1, and between them the cubic that has level ends."""
     t = np.clip(x, 0.0, 1.0)
     return np.asarray(t * t * (3 - 2 * t))
+
+
+@compiled
+def smooth_share(x: float) -> float:
+    """The same of one number, for loops over points."""
+    t = min(max(x, 0.0), 1.0)
+    return t * t * (3 - 2 * t)

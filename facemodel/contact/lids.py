@@ -26,6 +26,7 @@ from facemodel.display import DisplaySurface
 from facemodel.face import Eye, Face
 from facemodel.kinematics import Stance
 from facemodel.openings import lids_of
+from facemodel.smooth import smooth_share
 from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
 LIDS = Reach(whole=(1.0, 0.5), faded=(9.0, 6.0), kept=2.0, end=0.96)
@@ -92,7 +93,7 @@ class Lids:
 @compiled
 def _move(here: Float32Array, columns: LidColumns, rest: _AtRest, gaze: float) -> None:
     """Move lids with an eyeball that turns up by so many millimetres, and close those that nearly are."""
-    shut = _eased((_closure(here, columns, rest) - CLOSING) / (CLOSED - CLOSING))
+    shut = smooth_share((_closure(here, columns, rest) - CLOSING) / (CLOSED - CLOSING))
     edges = read_lids(here, columns, True)
     way = rest.bow * (gaze * (1 - shut))
     followed = gap_of(edges) + (UPPER_FOLLOWS - LOWER_FOLLOWS) * way
@@ -122,13 +123,6 @@ def _finish(here: Float32Array, columns: LidColumns, spared: Spared, wanted: Flo
     if change.any():
         part_lids(here, columns, edges, UPPER_SHARE * change, (1 - UPPER_SHARE) * change)
         keep_lids_apart(here, columns, read_lids(here, columns, True), spared)
-
-
-@compiled
-def _eased(share: float) -> float:
-    """0 up to 0, 1 from 1 on, smooth between."""
-    t = min(max(share, 0.0), 1.0)
-    return t * t * (3 - 2 * t)
 
 
 def lay_lids(face: Face, display: DisplaySurface, eye: Eye) -> tuple[IntArray, LidColumns] | None:

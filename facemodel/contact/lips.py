@@ -90,6 +90,10 @@ class LipPair:
     def __init__(self, axes: Axes, upper: Lip, lower: Lip) -> None:
         self.axes, self.upper, self.lower = axes, upper, lower
 
+    def read(self, here: Float32Array) -> LipReading:
+        """How the lips stand on posed points (n, 3)."""
+        return _read_lips(here, self.axes, self.upper, self.lower)
+
     def overlaps(self, here: Float32Array) -> tuple[FloatArray, FloatArray]:
         """How far the kept points (m,) of both lips are in the other one; below zero where they are apart."""
         return _overlaps(here, self.axes, self.upper, self.lower)
@@ -101,8 +105,7 @@ class LipPair:
 
     def keep_apart(self, here: Float32Array, high: FloatArray, low: FloatArray) -> None:
         """Bring points that are beyond the face between the lips, by more than is spared of both, onto it, in place."""
-        reading = _read_lips(here, self.axes, self.upper, self.lower)
-        _keep_apart(here, self.axes, self.upper, self.lower, reading, high, low)
+        _keep_apart(here, self.axes, self.upper, self.lower, self.read(here), high, low)
 
 
 class Lips:
@@ -131,7 +134,7 @@ class Lips:
 
     def read(self, here: Float32Array) -> LipReading:
         """How the lips stand on posed points (n, 3)."""
-        return _read_lips(here, self._pair.axes, self._pair.upper, self._pair.lower)
+        return self._pair.read(here)
 
     def keep_apart(self, here: Float32Array, reading: LipReading, deepest: float) -> None:
         """Bring what is still beyond the face between the lips onto it, in place, point by point.

@@ -11,6 +11,7 @@ import numpy as np
 
 from facemodel.compiled import compiled
 from facemodel.contact.grid import beside, between
+from facemodel.smooth import smooth_share
 from fem.types import Float32Array, FloatArray, IntArray
 
 WIDTHS, DEPTHS = 80, 56
@@ -141,13 +142,18 @@ def raise_relief(
 
 
 @compiled
+def _places(a: float, b: float, c: float, count: int) -> tuple[float, float]:
+    """The first and the last of so many places of the grid between three steps; the last before the first if none."""
+    return max(np.ceil(min(a, b, c)), 0.0), min(np.floor(max(a, b, c)), count - 1.0)
+
+
+@compiled
 def _seen(
     u0: float, u1: float, u2: float, v0: float, v1: float, v2: float, sign: float, heights: FloatArray
 ) -> bool:  # fmt: skip
     """Whether a triangle looks to the other lip and is near a place of the grid (A, D)."""
     twice = (u1 - u0) * (v2 - v0) - (u2 - u0) * (v1 - v0)
-    low, high = max(np.ceil(min(v0, v1, v2)), 0.0), min(np.floor(max(v0, v1, v2)), heights.shape[1] - 1.0)
-    first, last = max(np.ceil(min(u0, u1, u2)), 0.0), min(np.floor(max(u0, u1, u2)), heights.shape[0] - 1.0)
+    (first, last), (low, high) = _places(u0, u1, u2, heights.shape[0]), _places(v0, v1, v2, heights.shape[1])
     return bool((sign * twice > 0.0) & (low <= high) & (first <= last))
 
 
@@ -162,8 +168,7 @@ def _lay(
     twice = (u1 - u0) * (v2 - v0) - (u2 - u0) * (v1 - v0)
     if sign * twice <= 0.0:
         return
-    low, high = max(np.ceil(min(v0, v1, v2)), 0.0), min(np.floor(max(v0, v1, v2)), heights.shape[1] - 1.0)
-    first, last = max(np.ceil(min(u0, u1, u2)), 0.0), min(np.floor(max(u0, u1, u2)), heights.shape[0] - 1.0)
+    (first, last), (low, high) = _places(u0, u1, u2, heights.shape[0]), _places(v0, v1, v2, heights.shape[1])
     back = _averted(u1 - u0, u2 - u0, v1 - v0, v2 - v0, h1 - h0, h2 - h0, grid)
     across = ((h1 - h0) * (v2 - v0) - (h2 - h0) * (v1 - v0)) / twice
     on = ((h2 - h0) * (u1 - u0) - (h1 - h0) * (u2 - u0)) / twice
@@ -188,8 +193,7 @@ def _averted(u1: float, u2: float, v1: float, v2: float, h1: float, h2: float, g
         (u1 * h2 - u2 * h1) * grid.wide,
     )
     share = (abs(y) / np.sqrt(x * x + y * y + z * z) - UPRIGHT) / (LEVEL - UPRIGHT)
-    t = min(max(share, 0.0), 1.0)
-    return float(AWAY * (1.0 - t * t * (3.0 - 2.0 * t)))
+    return AWAY * (1.0 - smooth_share(share))
 
 
 @compiled

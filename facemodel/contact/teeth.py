@@ -115,10 +115,11 @@ def _depth(here: Float32Array, row: PosedRow, i: int) -> tuple[float, float, flo
 
 
 @compiled
-def _unit(right: float, front: float) -> tuple[float, float]:
-    """A way along x and z, one millimetre long."""
+def _go_out(place: FloatArray | Float32Array, row: PosedRow, right: float, front: float, by: float) -> None:
+    """Move a place (3,) by millimetres along the way out that x and z of the row at rest give, in place."""
     length = max(np.sqrt(right * right + front * front), SMALLEST)
-    return right / length, front / length
+    for axis in range(3):
+        place[axis] += by * (row.turn[axis, 0] * right + row.turn[axis, 2] * front) / length
 
 
 @compiled
@@ -145,9 +146,8 @@ def _ways(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray, ways
         by, column = lip.hold[at] * (depth - resting[number]), lip.column[at]
         if by > most[column]:
             met, most[column] = True, by
-            right, front = _unit(right, front)
-            for axis in range(3):
-                ways[column, axis] = by * (row.turn[axis, 0] * right + row.turn[axis, 2] * front)
+            ways[column] = 0.0
+            _go_out(ways[column], row, right, front, by)
     return met
 
 
@@ -197,7 +197,5 @@ def _push_lip(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray) 
         by = lip.hold[at] * (depth - resting[number])
         if by > 0.0:
             met = True
-            right, front = _unit(right, front)
-            for axis in range(3):
-                here[lip.kept[at], axis] += by * (row.turn[axis, 0] * right + row.turn[axis, 2] * front)
+            _go_out(here[lip.kept[at]], row, right, front, by)
     return met

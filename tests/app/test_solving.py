@@ -135,11 +135,17 @@ def waiting(document: Document, project: Project) -> Iterator[Solving]:
     job.close()
 
 
+@pytest.fixture
+def started(waiting: Solving) -> list[object]:
+    """What the solver was started for."""
+    heard: list[object] = []
+    waiting.job.started.connect(heard.append)
+    return heard
+
+
 def test_after_cancelling_a_pose_does_not_start_the_solver_again(
-    waiting: Solving, document: Document, project: Project
+    waiting: Solving, started: list[object], document: Document, project: Project
 ) -> None:
-    started: list[object] = []
-    waiting.job.started.connect(started.append)
     document.edit(wider(project), "Widen")
     waiting.job.cancel()
     document.set_weights({"17": 0.5})
@@ -148,10 +154,8 @@ def test_after_cancelling_a_pose_does_not_start_the_solver_again(
 
 
 def test_an_edit_that_is_undone_before_it_is_solved_and_done_again_is_solved(
-    waiting: Solving, document: Document, project: Project
+    waiting: Solving, started: list[object], document: Document, project: Project
 ) -> None:
-    started: list[object] = []
-    waiting.job.started.connect(started.append)
     document.edit(wider(project), "Widen")
     document.undo()
     assert not document.stale

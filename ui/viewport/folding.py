@@ -10,6 +10,7 @@ import numpy as np
 from facemodel.compiled import compiled
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
+from facemodel.smooth import smooth_share
 from facemodel.superposition import Superposition
 from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.furrows import Furrows
@@ -84,7 +85,6 @@ def _depths(
         for axis in range(3):
             step = across[number, 0] * slopes[axis, i] + across[number, 1] * slopes[3 + axis, i]
             square += step * step
-        lost = (1 - np.sqrt(square) / max(length[number], 1e-9) - FIRST) / (FULL - FIRST)
-        t = min(max(lost, 0.0), 1.0)
-        found[number] = share[number] * t * t * (3 - 2 * t)
+        lost = 1 - np.sqrt(square) / max(length[number], 1e-9)
+        found[number] = share[number] * smooth_share((lost - FIRST) / (FULL - FIRST))
     return found

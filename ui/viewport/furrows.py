@@ -33,7 +33,7 @@ FROWN = 7.0
 CROWS_FEET = (-40.0, -17.0, 4.0, 24.0)
 """Degrees above the horizontal in which lines run outwards from the outer corner of an eye."""
 
-BESIDE_skin_of_nose = 3
+BESIDE_NOSE = 3
 """Lines that climb over either side of the nose."""
 
 
@@ -93,6 +93,11 @@ class _Front:
         """A landmark (3,)."""
         return self.skin[self.face.landmarks[name]]
 
+    @property
+    def between_brows(self) -> float:
+        """Height of the inner ends of the brows."""
+        return float(self.at("brow_inner_L")[1] + self.at("brow_inner_R")[1]) / 2
+
     def furrow(self, places: FloatArray, depth: FloatArray) -> Furrow:
         """A line through places (K, 2), x and y, on the skin; where there is none under them it has no depth."""
         start = float(self.skin[:, 2].max()) + 1.0
@@ -134,7 +139,7 @@ def _forehead_skin(front: _Front) -> tuple[FloatArray, FloatArray]:
 
 
 def _frown(front: _Front) -> Iterator[_Line]:
-    brow = (front.at("brow_inner_L")[1] + front.at("brow_inner_R")[1]) / 2
+    brow = front.between_brows
     for side in (-1.0, 1.0):
         t = np.linspace(0, 1, STEPS)
         x = side * (FROWN - 1.8 + 2.6 * t + 0.5 * np.sin(4 * t + side))
@@ -148,7 +153,7 @@ def _frown(front: _Front) -> Iterator[_Line]:
 
 def _frown_skin(front: _Front) -> tuple[FloatArray, FloatArray]:
     x, y = front.skin[:, 0], front.skin[:, 1]
-    brow, nasion = (front.at("brow_inner_L")[1] + front.at("brow_inner_R")[1]) / 2, front.at("nasion")[1]
+    brow, nasion = front.between_brows, front.at("nasion")[1]
     low = (brow + nasion) / 2 - 2.0
     share = smooth(y, low, low + 3.0) * smooth(y, brow + 13.0, brow + 6.0) * smooth(np.abs(x), 14.0, 9.0)
     return share * _on_front(front), np.broadcast_to([1.0, 0.0, 0.0], front.skin.shape)
@@ -185,7 +190,7 @@ def _skin_beside_eyes(front: _Front) -> tuple[FloatArray, FloatArray]:
 def _beside_nose(front: _Front) -> Iterator[_Line]:
     nasion, tip = front.at("nasion"), front.at("nose_tip")
     for side in (-1.0, 1.0):
-        for line in range(BESIDE_skin_of_nose):
+        for line in range(BESIDE_NOSE):
             t = np.linspace(0, 1, STEPS)
             x = side * (2.5 + (9.0 + 1.5 * line) * t)
             y = nasion[1] - 7.0 - 3.6 * line - (2.0 + 5.5 * t) * t - 0.06 * (nasion[1] - tip[1]) * line
