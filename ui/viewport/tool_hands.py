@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QTabletEvent, QWheelEvent
+from PySide6.QtGui import QMouseEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from app.tools.pointer import Modifier, Pointer
@@ -71,28 +71,24 @@ class ToolHands(QObject):
         """Hear an event; only what would mean something else to the camera is kept from it."""
         if not self.active:
             return False
-        if isinstance(event, QMouseEvent):
-            return self._hear(event)
         if isinstance(event, QWheelEvent):
             return self._turn(event)
-        if isinstance(event, QTabletEvent):
+        if isinstance(event, QMouseEvent):
+            self._hear(event)
+        elif isinstance(event, QTabletEvent):
             self._feel(event)
-        elif isinstance(event, QKeyEvent):
-            return self._press_key(event)
         elif event.type() == QEvent.Type.Leave:
             self._drop()
             self._toolbox.leave()
         return False
 
-    def _hear(self, event: QMouseEvent) -> bool:
-        """Bring the tool what the mouse does; whether it means nothing else: the right button ended a gesture."""
+    def _hear(self, event: QMouseEvent) -> None:
+        """Bring the tool what the mouse does."""
         left = event.button() == Qt.MouseButton.LeftButton
         alt = bool(event.modifiers() & Keys.AltModifier)
         kind = event.type()
         if kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick):
             self._drop()
-            if event.button() == Qt.MouseButton.RightButton and self._toolbox.cancel():
-                return True
             if left and not alt:
                 self._toolbox.press(self._pointer(event.position(), event.modifiers(), self._pressure))
             elif not self._toolbox.busy:
@@ -102,7 +98,6 @@ class ToolHands(QObject):
         elif kind == QEvent.Type.MouseButtonRelease and left and self._toolbox.busy:
             self.flush()
             self._toolbox.release(self._pointer(event.position(), event.modifiers(), self._pressure))
-        return False
 
     def _moved(self, event: QMouseEvent) -> None:
         if not self._toolbox.busy:
@@ -136,16 +131,6 @@ class ToolHands(QObject):
         lifted = event.type() == QEvent.Type.TabletRelease
         self._pressure = 1.0 if lifted else float(event.pressure())
         event.ignore()
-
-    def _press_key(self, event: QKeyEvent) -> bool:
-        """Esc ends a gesture, whatever else the window does with it."""
-        if event.key() != Qt.Key.Key_Escape or not self._toolbox.busy:
-            return False
-        event.accept()
-        if event.type() == QEvent.Type.KeyPress:
-            self._drop()
-            self._toolbox.cancel()
-        return event.type() in (QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride)
 
     def _drop(self) -> None:
         self._timer.stop()
