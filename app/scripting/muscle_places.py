@@ -16,12 +16,12 @@ from facemodel.laying.fibres import (
     laid_fibre,
     removed_fibre,
     reordered,
+    snapped,
     with_end,
     with_via,
     without_via,
 )
 from facemodel.laying.handles import dragged, handles
-from facemodel.laying.places import on_bone, on_skin
 from facemodel.laying.rings import Axis, Sector
 from facemodel.muscles import Muscle
 from fem.types import FloatArray
@@ -44,11 +44,11 @@ class PlacedMuscle:
     def move(self, end: End, to: Place, fibre: int = 0, *, snap: bool = True) -> None:
         """Move the origin to the bone nearest to a point, or the attachment to the nearest vertex of the skin.
 
-        Without ``snap`` the end lies where it is told.
+        Both ends of a fold lie on the skin.  Without ``snap`` the end lies where it is told.
         """
         face, place = self._desk.project.face, _point(to)
         if snap:
-            place = on_bone(face, place) if end == "origin" else on_skin(face, place)
+            place = snapped(self.value, end, face, place)
         self._change(lambda muscle: with_end(muscle, fibre, end, place), "Move")
 
     def bend(self, through: Place, fibre: int = 0, at: int | None = None) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from facemodel.actions import Side
 from facemodel.anatomy.placement import Placement
-from facemodel.anatomy.recipe import Anatomy, Band
+from facemodel.anatomy.recipe import Anatomy, Band, Crease
 from facemodel.anatomy.rings import laid_rings
 from facemodel.face import Eye, Skull
 from facemodel.mesh import Mesh
@@ -33,6 +33,13 @@ def laid_band(band: Band, side: Side, place: Placement) -> Muscle:
     )
 
 
+def laid_crease(crease: Crease, side: Side, place: Placement) -> Muscle:
+    """A fold of the skin on one side of a head."""
+    fibre = place.along_skin(crease.spots, side)
+    width = crease.width * place.scale
+    return Muscle(crease.name, side, crease.title, crease.group, "fold", (fibre,), None, width, 1.0, crease.strength, 1)
+
+
 def make_muscles(
     anatomy: Anatomy, skin: Mesh, skull: Skull, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]
 ) -> tuple[Muscle, ...]:
@@ -44,4 +51,6 @@ def make_muscles(
         made += [laid_band(band, side, place) for side in sides]
     for ring in anatomy.rings:
         made += laid_rings(ring, place, eyes)
+    for crease in anatomy.creases:
+        made += [laid_crease(crease, side, place) for side in ("L", "R")]
     return tuple(made)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -70,6 +70,11 @@ class Placement:
         origin, attachment = self._below(start), np.array(nearest(self._skin, end)[0][0])
         shares = np.linspace(0, 1, course.over + 2)[1:-1]
         return Fibre(origin, attachment, tuple(self._below(origin + s * (attachment - origin)) for s in shares))
+
+    def along_skin(self, spots: Sequence[Spot], side: str) -> Fibre:
+        """A fibre on the skin through two spots or more."""
+        first, *between, last = (self.on_skin(spot, side) for spot in spots)
+        return Fibre(first, last, tuple(between))
 
     def _kept(self, point: FloatArray, side: str) -> FloatArray:
         """A point (3,) no nearer to the midline than a paired muscle comes."""

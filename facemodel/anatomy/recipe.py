@@ -93,6 +93,26 @@ class Ring:
 
 
 @dataclass(frozen=True)
+class Crease:
+    """A line along the skin where muscles insert and it folds.
+
+    Attributes
+    ----------
+    name, title, group : as `facemodel.muscles.Muscle` has them
+    spots : on the skin from one end to the other; the flesh stands on the left hand of one who goes along it
+    width : of the crease
+    strength : as of a `Band`
+    """
+
+    name: str
+    title: str
+    group: str
+    spots: tuple[Spot, ...]
+    width: float
+    strength: float
+
+
+@dataclass(frozen=True)
 class Region:
     """A soft-edged part of the skin about landmarks, or about the margin of ``lids`` or ``lips``.
 
@@ -138,5 +158,6 @@ class Anatomy:
 
     bands: tuple[Band, ...]
     rings: tuple[Ring, ...]
+    creases: tuple[Crease, ...]
     tissue: Tissue
     provenance: str = ""

@@ -12,10 +12,12 @@ from facemodel.face import Face
 from facemodel.laying.places import Snap, kind_of_place, on_bone, on_skin, settled
 from facemodel.muscles import Fibre, Muscle
 from facemodel.muscles.curve import SHORTEST
+from facemodel.muscles.models import MODELS
 from facemodel.muscles.quadrilateral import nearest_on_line
 from fem.types import FloatArray
 
 End = Literal["origin", "attachment"]
+Point = Literal["origin", "attachment", "via"]
 
 
 def laid_fibre(
@@ -23,6 +25,20 @@ def laid_fibre(
 ) -> Fibre:
     """A straight fibre from a place on the skull to one on the skin, each snapped as asked; (3,) in millimetres."""
     return Fibre(on_bone(face, origin, bone), on_skin(face, attachment, skin))
+
+
+def snapped(
+    muscle: Muscle, part: Point, face: Face, to: FloatArray, *, bone: Snap = "surface", skin: Snap = "vertex"
+) -> FloatArray:
+    """Where (3,) a point of a muscle's fibre that is dragged to ``to`` (3,) comes to lie.
+
+    An origin lies on the skull, an attachment on the skin, what is between them anywhere; all of a fold is on the skin.
+    """
+    if MODELS[muscle.model].along_skin:
+        return on_skin(face, to, "surface" if part == "via" and skin == "vertex" else skin)
+    if part == "via":
+        return np.array(to, dtype=np.float64)
+    return on_bone(face, to, bone) if part == "origin" else on_skin(face, to, skin)
 
 
 def fibre_of(muscle: Muscle, number: int) -> Fibre:

@@ -12,6 +12,7 @@ from facemodel.laying.places import Kind, kind_of_place, settled
 from facemodel.laying.sides import mirrored, partner
 from facemodel.laying.warp import Warp, control_points, landmark_warp
 from facemodel.muscles import Fibre, Muscle, Sphincter
+from facemodel.muscles.models import MODELS
 from fem.types import FloatArray
 
 
@@ -47,7 +48,8 @@ def fitted(muscle: Muscle, warp: Warp, target: Face, source: Face | None = None)
     head about the attachments; strength, kappa and count stay.
     """
     ring = None if muscle.ring is None else _fitted_ring(muscle.ring, warp)
-    fibres = tuple(_fitted_fibre(fibre, warp, target, source) for fibre in muscle.fibres)
+    lies: Kind = "skin" if MODELS[muscle.model].along_skin else "bone"
+    fibres = tuple(_fitted_fibre(fibre, lies, warp, target, source) for fibre in muscle.fibres)
     scale = _scale(muscle, ring, warp)
     cosine = None if muscle.cosine is None else replace(muscle.cosine, box=muscle.cosine.box * scale)
     return replace(muscle, fibres=fibres, ring=ring, width=muscle.width * scale, cosine=cosine)
@@ -63,12 +65,14 @@ def _scale(muscle: Muscle, ring: Sphincter | None, warp: Warp) -> float:
     return warp.scale(np.mean([fibre.attachment for fibre in muscle.fibres], axis=0))
 
 
-def _fitted_fibre(fibre: Fibre, warp: Warp, target: Face, source: Face | None) -> Fibre:
-    kinds: tuple[Kind, Kind] = ("bone", "skin")
+def _fitted_fibre(fibre: Fibre, lies: Kind, warp: Warp, target: Face, source: Face | None) -> Fibre:
+    """A fibre carried along; without a source it begins on what it ``lies`` on."""
+    kinds: tuple[Kind, Kind] = (lies, "skin")
     if source is not None:
         kinds = kind_of_place(source, fibre.origin)[0], kind_of_place(source, fibre.attachment)[0]
     moved = warp(fibre.points)
-    return Fibre(settled(target, moved[0], kinds[0]), settled(target, moved[-1], kinds[1]), tuple(moved[1:-1]))
+    between = [settled(target, point, "skin") if lies == "skin" else point for point in moved[1:-1]]
+    return Fibre(settled(target, moved[0], kinds[0]), settled(target, moved[-1], kinds[1]), tuple(between))
 
 
 def _fitted_ring(ring: Sphincter, warp: Warp) -> Sphincter:

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from facemodel.face import Face
-from facemodel.laying.fibres import with_end, with_via
+from facemodel.laying.fibres import snapped, with_end, with_via
 from facemodel.laying.measures import Measure, measured, measures_of, places
-from facemodel.laying.places import Snap, on_bone, on_skin
+from facemodel.laying.places import Snap
 from facemodel.laying.rings import with_axis, with_centre
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import MODELS
@@ -62,20 +62,18 @@ def dragged(
 ) -> Muscle:
     """A muscle with one of its handles dragged to a place (3,), snapped as asked.
 
-    Origins are snapped to the skull and attachments to the skin; the rest goes where it is dragged.  Numbers
-    stop at the ends of their range.
+    Origins are snapped to the skull and attachments to the skin, all of a fold to the skin; the rest goes where it is
+    dragged.  Numbers stop at the ends of their range.
 
     Raises
     ------
     MuscleError
         If the muscle has no such handle, or a ring would be left without a width.
     """
-    if handle.part == "origin":
-        return with_end(muscle, handle.fibre, "origin", on_bone(face, to, bone))
-    if handle.part == "attachment":
-        return with_end(muscle, handle.fibre, "attachment", on_skin(face, to, skin))
+    if handle.part == "origin" or handle.part == "attachment":
+        return with_end(muscle, handle.fibre, handle.part, snapped(muscle, handle.part, face, to, bone=bone, skin=skin))
     if handle.part == "via":
-        return with_via(muscle, handle.fibre, handle.place, to)
+        return with_via(muscle, handle.fibre, handle.place, snapped(muscle, "via", face, to, skin=skin))
     if handle.part == "centre":
         return with_centre(muscle, to)
     if handle.part == "long" or handle.part == "short":

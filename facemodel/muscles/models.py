@@ -13,6 +13,7 @@ from facemodel.mesh import Mesh
 from facemodel.muscles import parameters as of
 from facemodel.muscles.cosine import cosine_displacements, cosine_ring_displacements
 from facemodel.muscles.fibre import fibre_forces
+from facemodel.muscles.fold import fold_forces
 from facemodel.muscles.jaw import jaw_force
 from facemodel.muscles.lid import lid_forces
 from facemodel.muscles.mouth import mouth_forces
@@ -42,6 +43,7 @@ class MuscleModel:
     parameters : what a person may turn
     slides : whether forces that point into the bone are turned along it; the bone itself moves under the others
     inflates : whether it is a pressure from within, which brings the volume that it lifts the skin by
+    along_skin : whether its fibres lie on the skin from end to end, where those of others begin on the bone
     """
 
     title: str
@@ -52,6 +54,7 @@ class MuscleModel:
     parameters: tuple[Parameter | ProfileParameter, ...]
     slides: bool = True
     inflates: bool = False
+    along_skin: bool = False
 
 
 def _on_skin(model: Callable[[Muscle, Mesh], FloatArray]) -> Callable[[Muscle, Face], FloatArray]:
@@ -124,6 +127,16 @@ MODELS: Mapping[Model, MuscleModel] = {
         (of.WIDTH, of.STRENGTH, of.INWARD),
         slides=False,
         inflates=True,
+    ),
+    "fold": MuscleModel(
+        "Fold of the skin",
+        "insertions along a line that draw the skin in, with the flesh standing up beside it",
+        "fibres",
+        "force",
+        _on_skin(fold_forces),
+        (of.WIDTH, of.STRENGTH),
+        slides=False,
+        along_skin=True,
     ),
     "jaw": MuscleModel(
         "Jaw force",

@@ -10,13 +10,17 @@ import numpy as np
 from facemodel.muscles.profile import Profiles
 from fem.types import FloatArray
 
-Model = Literal["fibre", "quadrilateral", "cosine", "sphincter", "mouth", "cosine_ring", "lid", "pressure", "jaw"]
+Model = Literal[
+    "fibre", "quadrilateral", "cosine", "sphincter", "mouth", "cosine_ring", "lid", "pressure", "fold", "jaw"
+]
 MuscleSide = Literal["L", "R", "M"]
 
 
 @dataclass(frozen=True, eq=False)
 class Fibre:
     """One muscle vector, from its origin on the skull to its attachment on the skin; (3,) in millimetres.
+
+    Of a fold, whose model lies along the skin, both ends are on the skin.
 
     A fibre with intermediate points ``via``, in order from the origin, is bent: it runs through them on the
     smooth curve of `facemodel.muscles.curve`.

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from facemodel.actions import skin_units
 from facemodel.jaw.modes import JawMode, mode_shares
 from facemodel.jaw.motion import jaw_motion
-from facemodel.loads import STEEP, along_bone, field_forces, jaw_forces
+from facemodel.loads import STEEP, along_bone, bone_forces, field_forces, jaw_forces
 from facemodel.muscles.models import muscle_forces
 from facemodel.project import Project
 from facemodel.tissue import tissue_springs
@@ -39,7 +39,7 @@ def test_left_and_right_forces_add_up_to_both_sides(project: Project) -> None:
     """A muscle across the midline gives each side of a paired unit half its strength."""
     skin = project.face.skin
     names, forces = field_forces(project.units, project.muscles, project.face)
-    by_key = {muscle.key: along_bone(muscle_forces(muscle, project.face), skin.normals) for muscle in project.muscles}
+    by_key = {muscle.key: bone_forces(muscle, project.face) for muscle in project.muscles}
     for unit in skin_units(project.units):
         whole = np.zeros_like(skin.positions)
         for name, weight in unit.muscles.items():

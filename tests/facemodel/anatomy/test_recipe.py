@@ -21,6 +21,7 @@ from facemodel.face import Face
 from facemodel.faces import face_keys
 from facemodel.laying.places import nearest
 from facemodel.muscles import Muscle
+from facemodel.muscles.models import MODELS
 from resources import resource
 
 RECIPE = shipped_anatomy()
@@ -132,12 +133,16 @@ def test_origins_lie_at_the_bone_and_attachments_in_the_skin(face: Face) -> None
 
 
 @pytest.mark.parametrize("key", face_keys())
-def test_every_muscle_arises_at_the_bone_of_its_own_side(key: str, shipped: Callable[[str], Face]) -> None:
+def test_every_muscle_arises_at_the_bone_of_its_own_side_and_a_fold_in_its_skin(
+    key: str, shipped: Callable[[str], Face]
+) -> None:
     face = shipped(key)
     for muscle in laid(face):
         out = {"L": 1.0, "R": -1.0}.get(muscle.side, 0.0)
         for fibre in muscle.fibres:
-            away = min(nearest(bone, fibre.origin)[2][0] for bone in (face.skull.cranium, face.skull.mandible))
+            under = (face.skull.cranium, face.skull.mandible)
+            ground = (face.skin,) if MODELS[muscle.model].along_skin else under
+            away = min(nearest(mesh, fibre.origin)[2][0] for mesh in ground)
             assert away < FARTHEST_OFF or muscle.name in ARISE_IN_SKIN, muscle.key
             for end in (fibre.origin, fibre.attachment):
                 assert out * end[0] >= -ACROSS, muscle.key

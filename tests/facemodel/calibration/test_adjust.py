@@ -125,6 +125,7 @@ def test_only_what_one_unit_alone_answers_is_learned_from() -> None:
     nothing = np.zeros((3, 3))
     aims = goals(dict.fromkeys(names, nothing), wanted, units)
     assert [aim.name for aim in aims] == ["mouthSmile_L", "mouthPucker", "jawOpen"]
-    assert aims[0].groups == {"zygomaticus_major": ("zygomaticus_major", "zygomaticus_major_L")}
+    smiling = ("zygomaticus_major", "nasolabial_fold_superior", "nasolabial_fold_inferior")
+    assert aims[0].groups == {name: (name, f"{name}_L") for name in smiling}
     assert aims[2].jaw is not None
     assert set(left_out) == {"eyeLookUpLeft"}

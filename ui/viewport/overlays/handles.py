@@ -16,7 +16,7 @@ from ui.viewport.overlays.dots import Dots
 from ui.viewport.overlays.glow import ACCENT
 from ui.viewport.overlays.iso_lines import Lines, crossings
 from ui.viewport.overlays.marks import Marks
-from ui.viewport.overlays.muscle_outlines import outlines, place_of, reach, spoke
+from ui.viewport.overlays.muscle_outlines import on_skin, outlines, place_of, reach, spoke
 from ui.viewport.overlays.on_skin import OnSkin
 from ui.viewport.overlays.overlay import Drawn
 from ui.workspaces.workspace import Parts
@@ -118,12 +118,14 @@ class MuscleHandles:
         ]
         self._marks["spoke"].show(_stacked(spoke(muscle, handle, project.face, at) for muscle, handle in found))
         places: dict[str, list[FloatArray]] = {"bone": [], "skin": [], "quiet": []}
-        for _, handle in found:
-            places[KINDS.get(handle.part, "quiet")].append(place_of(handle, at)[None])
+        for muscle, handle in found:
+            kind = KINDS.get(handle.part, "quiet")
+            kind = "skin" if kind == "bone" and on_skin(muscle, handle) else kind
+            places[kind].append(place_of(muscle, handle, at)[None])
         for kind, points in places.items():
             self._dots[kind].show(_stacked(points))
         grip = self._grip if self._ghost is None else None
-        self._dots["grip"].show(_stacked([place_of(grip.handle, at)[None]] if grip else []))
+        self._dots["grip"].show(_stacked([place_of(grip.muscle, grip.handle, at)[None]] if grip else []))
 
 
 def _end_of_influence(muscle: Muscle, drawn: Drawn) -> FloatArray:

@@ -59,16 +59,21 @@ def spoke(muscle: Muscle, handle: Handle, face: Face, at: OnSkin) -> FloatArray:
     if handle.part not in MEASURES and handle.part not in ("long", "short"):
         return np.zeros((0, 3))
     start = foot(muscle, handle.part, handle.fibre, face)  # type: ignore[arg-type]
-    return np.array([start if handle.part == "force" else at.carried(start), place_of(handle, at)])
+    return np.array([start if handle.part == "force" else at.carried(start), place_of(muscle, handle, at)])
 
 
 ON_SKIN = ("attachment", "centre", "long", "short", "radius", "reach")
-"""Parts of which a handle goes with the skin."""
+"""Parts of which a handle goes with the skin, whatever the muscle."""
 
 
-def place_of(handle: Handle, at: OnSkin) -> FloatArray:
+def on_skin(muscle: Muscle, handle: Handle) -> bool:
+    """Whether a handle goes with the skin."""
+    return handle.part in ON_SKIN or MODELS[muscle.model].along_skin
+
+
+def place_of(muscle: Muscle, handle: Handle, at: OnSkin) -> FloatArray:
     """Where (3,) a handle is seen."""
-    return at.carried(handle.point) if handle.part in ON_SKIN else handle.point
+    return at.carried(handle.point) if on_skin(muscle, handle) else handle.point
 
 
 def reach(muscle: Muscle, points: FloatArray) -> tuple[FloatArray, float] | None:
@@ -85,7 +90,10 @@ def reach(muscle: Muscle, points: FloatArray) -> tuple[FloatArray, float] | None
 
 
 def _fibres(muscle: Muscle, at: OnSkin, lines: Outlines) -> None:
-    """Central fibres, which end where the skin has gone; of a sheet its edges on bone and skin."""
+    """Central fibres, which end where the skin has gone; of a sheet its edges on bone and skin; a fold goes with it."""
+    if MODELS[muscle.model].along_skin:
+        lines.body += [chain(at.carried(path(fibre, STEPS))) for fibre in muscle.fibres]
+        return
     share = np.linspace(0.0, 1.0, STEPS + 1)[:, None] ** 2
     runs = [path(fibre, STEPS) + share * at.shift(fibre.attachment) for fibre in muscle.fibres]
     lines.body += [chain(run) for run in runs]
