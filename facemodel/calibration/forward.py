@@ -185,6 +185,7 @@ def _only(anatomy: Anatomy, keys: Collection[str] | None) -> Anatomy:
         anatomy,
         bands=tuple(band for band in anatomy.bands if band.name in names),
         rings=tuple(ring for ring in anatomy.rings if ring.name in names),
+        creases=tuple(crease for crease in anatomy.creases if crease.name in names),
     )
 
 

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from facemodel.anatomy.recipe import Anatomy, Band, Course, Region, Ring, Spot
+from facemodel.anatomy.recipe import Anatomy, Band, Course, Crease, Region, Ring, Spot
 from fem.types import FloatArray
 
 Owner = TypeVar("Owner")
@@ -47,6 +47,9 @@ WIDER, SHARPER = 0.35, 0.5
 WIDTHS, KAPPAS = (6.5, 26.0), (0.5, 8.0)
 """Bounds of width, millimetres, and kappa: a narrower pull would fall between the vertices of a coarse skin."""
 
+CREASES = (3.0, 8.0)
+"""Bounds of the width of a fold, millimetres: a narrower one would fall between the vertices of a coarse skin."""
+
 FIRMER, SHARE = 0.5, 0.25
 """Logarithm of the factor on the tissue, and part of a share, of one step."""
 
@@ -61,6 +64,8 @@ def knobs(anatomy: Anatomy) -> tuple[Knob, ...]:
         found += _band_knobs(number, band)
     for number, ring in enumerate(anatomy.rings):
         found += _ring_knobs(number, ring)
+    for number, crease in enumerate(anatomy.creases):
+        found += _crease_knobs(number, crease)
     for layer in ("stretching", "bending", "stiffness", "sliding"):
         found.append(_tissue_knob(layer))
     for number, region in enumerate(anatomy.tissue.regions):
@@ -124,11 +129,15 @@ def _shifted(courses: tuple[Course, ...], end: str, axis: int, first: float, las
     shares = np.linspace(0, 1, len(courses)) if len(courses) > 1 else np.array([0.5])
     made = []
     for course, share in zip(courses, shares, strict=True):
-        spot: Spot = getattr(course, end)
-        offset = list(spot.offset)
-        offset[axis] += float(first * (1 - share) + last * share)
-        made.append(_with(course, end, replace(spot, offset=(offset[0], offset[1], offset[2]))))
+        shift = float(first * (1 - share) + last * share)
+        made.append(_with(course, end, _moved(getattr(course, end), axis, shift)))
     return tuple(made)
+
+
+def _moved(spot: Spot, axis: int, shift: float) -> Spot:
+    """A spot shifted along an axis, millimetres."""
+    offset = [value + shift * (k == axis) for k, value in enumerate(spot.offset)]
+    return replace(spot, offset=(offset[0], offset[1], offset[2]))
 
 
 def _ring_knobs(number: int, ring: Ring) -> list[Knob]:
@@ -157,6 +166,21 @@ def _ring_knobs(number: int, ring: Ring) -> list[Knob]:
         made.append(knob("forward", SHARE, share("forward", -1, 1), _inside(ring.forward, -1, 1)))
         made.append(knob("inward", SHARE, share("inward", -1, 1), _inside(ring.inward, -1, 1)))
     return made
+
+
+def _crease_knobs(number: int, crease: Crease) -> list[Knob]:
+    def knob(what: str, step: float, change: Callable[[Crease, float], Crease], bounds: tuple[float, float]) -> Knob:
+        return Knob(f"{crease.name} {what}", step, _on("creases", number, change, step), crease.name, *bounds)
+
+    def shifted(axis: int) -> Callable[[Crease, float], Crease]:
+        return lambda c, x: replace(c, spots=tuple(_moved(spot, axis, x) for spot in c.spots))
+
+    width = _within(crease.width, CREASES, WIDER)
+    return [
+        knob("width", WIDER, lambda c, x: replace(c, width=_times(c.width, x, CREASES)), width),
+        knob("lateral", ATTACHED / 2, shifted(0), FREE),
+        knob("up", ATTACHED / 2, shifted(1), FREE),
+    ]
 
 
 def _inside(value: float, low: float, high: float) -> tuple[float, float]:
