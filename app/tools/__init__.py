@@ -7,6 +7,7 @@ from app.tools.brush import BrushTool
 from app.tools.brush_state import BrushState, HandBrush
 from app.tools.fibre import FibreTool
 from app.tools.fill import FillTool
+from app.tools.fold import FoldTool
 from app.tools.jaw_axis import JawAxisTool
 from app.tools.lasso import LassoTool
 from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
@@ -24,7 +25,7 @@ from app.tools.toolbox import ToolBox
 SKULL_TOOLS = (MoveSkull, TurnSkull, ScaleSkull, BoneBrush, BoneLasso, BonePart, JawAxisTool, LandmarkTool)
 """Those of the Skull workspace."""
 
-TOOLS = (PullTool, SelectTool, SculptTool, BrushTool, LassoTool, FillTool, FibreTool, RingTool, *SKULL_TOOLS)
+TOOLS = (PullTool, SelectTool, SculptTool, BrushTool, LassoTool, FillTool, FibreTool, RingTool, FoldTool, *SKULL_TOOLS)
 """All tools, in the order in which they are shown."""
 
 __all__ = [
@@ -39,6 +40,7 @@ __all__ = [
     "BrushTool",
     "FibreTool",
     "FillTool",
+    "FoldTool",
     "Ghost",
     "Grip",
     "HandBrush",

@@ -37,6 +37,7 @@ GLYPHS: Mapping[str, str] = {
     "tool.fill": "format-color-fill",
     "tool.fibre": "vector-curve",
     "tool.ring": "ellipse-outline",
+    "tool.fold": "sine-wave",
     "tool.move-skull": "cursor-move",
     "tool.turn-skull": "rotate-orbit",
     "tool.scale-skull": "resize",

@@ -8,6 +8,7 @@ from app.tools.bone_part import BonePart
 from app.tools.brush import BrushTool
 from app.tools.fibre import FibreTool
 from app.tools.fill import FillTool
+from app.tools.fold import FoldTool
 from app.tools.jaw_axis import JawAxisTool
 from app.tools.lasso import LassoTool
 from app.tools.place_skull import MoveSkull, ScaleSkull, TurnSkull
@@ -114,7 +115,7 @@ WORKSPACES: tuple[WorkspaceKind, ...] = (
     WorkspaceKind(
         "muscles",
         _muscles_panel,
-        (SelectTool, FibreTool, RingTool),
+        (SelectTool, FibreTool, RingTool, FoldTool),
         (MusclesInSight, MuscleHandles, FibreGhost),
         _prepare_solver,
     ),

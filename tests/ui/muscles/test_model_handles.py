@@ -186,3 +186,21 @@ def test_nothing_is_laid_beside_the_face_and_why_is_said(editor):
     drag(editor, start, QPoint(10 - start.x(), 10 - start.y()))
     assert work.history.done == ()
     assert editor.status.hint.text() == "A fibre ends in the skin; let go over the face."
+
+
+def test_a_fold_is_drawn_along_the_skin_on_both_sides(editor):
+    work = editor.context.document
+    editor.toolbox.take("fold")
+    before, marks = work.project, work.project.face.landmarks
+    skin = before.face.skin.positions
+    start = pixel(editor, skin[marks["cheek_L"]])
+    drag(editor, start, pixel(editor, skin[marks["mouth_corner_L"]] + [10.0, 0.0, 0.0]) - start)
+    left, right = work.project.muscles[-2:]
+    assert (left.side, right.side, left.model, right.model) == ("L", "R", "fold", "fold")
+    line = left.fibres[0].points
+    assert len(line) > 2
+    assert nearest(before.face.skin, line)[2].max() < 1e-6
+    assert same(mirrored(left, before.face), right)
+    assert work.history.done[0].startswith("Lay ")
+    QTest.keyClick(editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert same(work.project.muscles, before.muscles)

@@ -99,6 +99,7 @@ class MusclesPanel(QWidget):
         menu = QMenu(self)
         menu.addAction(icon("vector-curve"), "Fibre from bone to skin", lambda: self._toolbox.take("fibre"))
         menu.addAction(icon("ellipse-outline"), "Ring on the skin", lambda: self._toolbox.take("ring"))
+        menu.addAction(icon("sine-wave"), "Fold along the skin", lambda: self._toolbox.take("fold"))
         menu.addAction(icon("arrow-down"), "Force of the jaw", lambda: self._perform("muscle.jaw"))
         menu.addSeparator()
         menu.addAction(icon("head-sync-outline"), "From another head…", lambda: self._perform("muscle.fit"))
