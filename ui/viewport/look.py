@@ -20,6 +20,8 @@ from ui.viewport.surface import ByteArray
 
 NECK_FADE, NECK_DARK = 55.0, 0.45
 """Millimetres over which the neck rises out of the dark, and its openness at the rim."""
+UNDER_CHIN = 17.0
+"""Millimetres below the chin over which that dark sets in."""
 CONTRAST = 1.35
 """Exponent on the openness: rays spread over a hemisphere tell too gently what the eye sees as a hollow."""
 NOSTRIL = 4.6
@@ -82,7 +84,8 @@ def _shade(face: Face, skin: Mesh) -> FloatArray:
     rim = position[skin.boundary_loops[-1]]
     normal = np.linalg.svd(rim - rim.mean(axis=0))[2][2]
     rise = np.abs((position - rim.mean(axis=0)) @ normal)
-    below = smooth(position[:, 1], position[face.landmarks["menton"], 1], rim[:, 1].max())
+    chin = position[face.landmarks["menton"], 1]
+    below = smooth(position[:, 1], chin, chin - UNDER_CHIN)
     dim = (1 - NECK_DARK) * smooth(rise, NECK_FADE, 0.0) * below
     return np.asarray(open_ * (1 - 0.92 * nostril) * (1 - dim))
 
