@@ -12,7 +12,7 @@ from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.mesh import Mesh
 from fem.types import FloatArray
-from ui.viewport.complexion import Palette, complexion, has_features, openings, palette_of, smooth
+from ui.viewport.complexion import Palette, complexion, has_features, near, openings, palette_of, smooth
 from ui.viewport.detail import Detail, skin_detail
 from ui.viewport.furrows import Furrows, furrows
 from ui.viewport.occlusion import openness
@@ -26,6 +26,9 @@ CONTRAST = 1.35
 """Exponent on the openness: rays spread over a hemisphere tell too gently what the eye sees as a hollow."""
 NOSTRIL = 4.6
 """Radius of a nostril in millimetres; the mesh has a dent there, life a hole that no light comes out of."""
+CORNER_DARK, CORNER_REACH = 0.65, 2.4
+"""Share of the light that the corners of the mouth lack, and about how many millimetres around them: they dent the skin
+less than in life, and would shine."""
 KEPT = 4
 """Faces whose look is remembered, so that a new solution of a face costs nothing here."""
 
@@ -87,7 +90,8 @@ def _shade(face: Face, skin: Mesh) -> FloatArray:
     chin = position[face.landmarks["menton"], 1]
     below = smooth(position[:, 1], chin, chin - UNDER_CHIN)
     dim = (1 - NECK_DARK) * smooth(rise, NECK_FADE, 0.0) * below
-    return np.asarray(open_ * (1 - 0.92 * nostril) * (1 - dim))
+    corners = CORNER_DARK * near(face, ("mouth_corner_L", "mouth_corner_R"), CORNER_REACH)
+    return np.asarray(open_ * (1 - 0.92 * nostril) * (1 - dim) * (1 - corners))
 
 
 def _nostrils(face: Face, open_: FloatArray) -> FloatArray:

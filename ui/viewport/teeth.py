@@ -42,9 +42,9 @@ GAP: Colour = (0.20, 0.12, 0.09)
 GUM: Colour = (0.54, 0.25, 0.245)
 DARKEST = 0.04
 """Openness of the hindmost tooth, where a row ends in the dark."""
-LIT, UNLIT = 10.0, 25.0
-"""Millimetres from the middle of the front, about a canine's and a molar's, at which cheeks and lips begin to take the
-light, and have taken it."""
+LIT, UNLIT = 0.5, 4.2
+"""Teeth from the midline, 0 the first and 5 the first molar, at which lips and cheeks begin to take the light, and have
+taken it."""
 INSIDE = 0.35
 """Openness of the tongue's side of a tooth."""
 UNDER_LIP = 0.62
@@ -189,14 +189,14 @@ def _crowns(arch: _Arch) -> tuple[FloatArray, FloatArray]:
     colour = np.array(ENAMEL) + (np.array(NECK) - np.array(ENAMEL)) * (0.7 * warm)[..., None]
     colour = colour + (np.array(GAP) - colour) * (0.8 * gap)[..., None]
     colour = colour + (np.array(GUM) - colour) * (1 - crown)[..., None]
-    open_ = _openness(points, side, smooth(rise / gum, 0.15, 1.0))
+    open_ = _openness(arch, side, smooth(rise / gum, 0.15, 1.0))
     return points, np.concatenate([colour, open_[..., None]], axis=-1)
 
 
-def _openness(points: FloatArray, inside: FloatArray, under_lip: FloatArray) -> FloatArray:
+def _openness(arch: _Arch, inside: FloatArray, under_lip: FloatArray) -> FloatArray:
     """Share (C, R) of the light that an open mouth lets in to each place of a row, the darkest at its ends."""
-    from_front = np.hypot(points[..., 0], points[..., 2].max() - points[..., 2])
-    back = smooth(from_front, LIT, UNLIT)
+    backwards = np.repeat([-1.0, 1.0], len(arch.tooth) // 2)
+    back = smooth(arch.tooth + 0.5 * arch.within * backwards, LIT, UNLIT)[:, None]
     dark, within, covered = (
         1 - (1 - least) * share for least, share in ((DARKEST, back), (INSIDE, inside), (UNDER_LIP, under_lip))
     )
