@@ -34,12 +34,12 @@ class Lamp:
 
 KEY = Lamp("key", (-0.55, 0.62, 0.75), (1.26, 1.18, 1.08))
 FILL = Lamp("fill", (0.85, 0.10, 0.60), (0.20, 0.225, 0.265))
-RIM = Lamp("rim", (0.70, 1.50, -0.75), (0.95, 0.95, 1.00))
-"""High enough that nothing lights up under the jaw, where the neck would stand in its way: no lamp here casts a shadow."""
+RIM = Lamp("rim", (0.70, 1.50, -0.75), (0.80, 0.82, 0.88))
+"""High enough that nothing lights up under the jaw, where the neck would be in its way: no lamp here casts a shadow."""
 LAMPS = (KEY, FILL, RIM)
 
 SKY: Colour = (0.27, 0.28, 0.30)
-GROUND: Colour = (0.165, 0.115, 0.095)
+GROUND: Colour = (0.170, 0.117, 0.094)
 """Light from all around, from above and from below, where it comes off shoulders and chest; linear."""
 
 
