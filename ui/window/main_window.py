@@ -51,6 +51,7 @@ from ui.workspaces.switching import WorkspacePanels
 from ui.workspaces.tabs import WorkspaceTabs
 from ui.workspaces.workspace import Parts, WorkspaceKind
 
+HELD = "Let go of the mouse first, or take it back with Esc."
 IDLE_HINT = "Drag a bar, or the face itself · right-drag turns the head · wheel zooms · Ctrl+Shift+P finds everything"
 
 
@@ -152,6 +153,8 @@ class MainWindow(QMainWindow):
         self.context.view.changed.connect(self._follow_view)
         self.context.settings.failed.connect(self.status.notify)
         self.quality.changed.connect(self.status.notify)
+        self.held.refused.connect(lambda: self.status.notify(HELD))
+        self.held.freed.connect(lambda: self.status.withdraw(HELD))
         self.binding.table_changed.connect(self._refill_menus)
         self.palette_box.chosen.connect(self._run)
         self.panels.opened.connect(self._name_panel)
