@@ -5,11 +5,12 @@ import pytest
 
 from facemodel.actions import Expression
 from facemodel.cache import solve_cached
-from facemodel.faces import face_keys
+from facemodel.face import Face
+from facemodel.faces import face_keys, load_face
 from facemodel.projects import new_project
 from facemodel.superposition import Superposition
 from ui.viewport.folding import Folding
-from ui.viewport.furrows import FOREHEAD, furrows
+from ui.viewport.furrows import FOREHEAD, Furrow, furrows
 from ui.viewport.look import look_of
 
 RAISED = {"1L": 1.0, "1R": 1.0, "2L": 1.0, "2R": 1.0}
@@ -98,3 +99,30 @@ def test_furrows_are_drawn_where_the_picture_has_lines(furrowed: Furrowed) -> No
     x, y = (middle * [width, height]).astype(int)
     assert image[y, x, 3] > 150
     assert np.median(image[..., 3]) == 0, "most skin never folds"
+
+
+def test_everybody_furrows_in_lines_of_their_own_which_are_always_the_same() -> None:
+    own = {key: furrows(load_face(key)).lines for key in face_keys()}
+    for key, lines in own.items():
+        again = furrows(load_face(key)).lines
+        assert len(again) == len(lines)
+        for line, same in zip(lines, again, strict=True):
+            np.testing.assert_array_equal(line.points, same.points)
+            np.testing.assert_array_equal(line.depth, same.depth)
+    deepest = {tuple(line.depth.max() for line in lines) for lines in own.values()}
+    assert len(deepest) == len(own)
+
+
+def test_lines_beside_the_eyes_bend_fade_at_both_ends_and_differ_from_side_to_side(furrowed: Furrowed) -> None:
+    left, right = beside_eye(furrowed.face, "L"), beside_eye(furrowed.face, "R")
+    for line in left + right:
+        assert np.linalg.norm(np.diff(line.points, axis=0), axis=1).sum() > np.linalg.norm(np.ptp(line.points, axis=0))
+        assert line.depth[[0, -1]].max() < 0.05 < 0.2 < line.depth.max()
+    assert min(len(left), len(right)) >= 4
+    assert {line.depth.max() for line in left}.isdisjoint({line.depth.max() for line in right})
+
+
+def beside_eye(face: Face, side: str) -> list[Furrow]:
+    """The lines that lie within some millimetres of the outer corner of an eye."""
+    corner = face.chart[face.landmarks[f"eye_outer_{side}"]]
+    return [each for each in furrows(face).lines if np.linalg.norm(each.points - corner, axis=1).max() < 30.0]

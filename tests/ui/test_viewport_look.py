@@ -116,6 +116,21 @@ def test_a_face_without_landmarks_has_one_colour_and_no_detail() -> None:
     assert np.ptp(look.colours, axis=0).max() == 0
 
 
+def test_a_row_of_teeth_is_light_in_front_and_ends_in_the_dark_alike_on_both_sides(face: Face) -> None:
+    for part in face.parts:
+        if part.kind != "teeth":
+            continue
+        surface = row_of_teeth(part)
+        light, points = surface.colours[:, 3].astype(int), surface.points
+        behind = points[:, 2].max() - points[:, 2]
+        assert light.max() > 240
+        assert behind[light > 200].max() < 16.0
+        assert light[behind > 25.0].max() < 30
+        right, left = (np.sort(light[points[:, 0] * side > 0.5]) for side in (-1.0, 1.0))
+        assert len(right) == len(left)
+        assert np.abs(right - left).max() <= 2
+
+
 def test_a_strip_becomes_fourteen_teeth_in_its_place(face: Face) -> None:
     for part in face.parts:
         if part.kind != "teeth":

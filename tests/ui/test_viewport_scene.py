@@ -225,7 +225,7 @@ def test_a_contracting_muscle_glows_and_the_others_do_not(scene: Scene) -> None:
 
 
 def muscles_overlay(scene: Scene) -> Overlay:
-    return scene._overlays["muscles"]
+    return scene.overlays.by_name["muscles"]
 
 
 def test_forces_stand_on_the_skin_and_grow_with_the_picture(scene: Scene, figure: Figure) -> None:

@@ -82,6 +82,9 @@ def palette_of(face: Face) -> Palette:
     return PALETTES.get(face.key, FAIR)
 
 
+RED_CORNER = (1.10, 0.90)
+"""Width of the mouth, as a share of that between its corners, at which the red of the lips has ended, and is whole."""
+
 FEATURES = (
     *("upper_lip_mid", "lower_vermilion", "nose_tip", "subnasale", "chin", "menton", "supraglabella", "glabella"),
     *(
@@ -165,10 +168,10 @@ def lip_share(face: Face) -> FloatArray:
     above = smooth(position[:, 1], corner[1] - 1.5, corner[1] + 1.5)
     border = lower + (upper - lower) * above
     wide = np.abs(position[:, 0]) / abs(position[face.landmarks["mouth_corner_L"], 0])
-    return smooth(ring - border, 0.6, -0.6) * smooth(wide, 1.16, 1.0)
+    return smooth(ring - border, 0.6, -0.6) * smooth(wide, *RED_CORNER)
 
 
-def _near(face: Face, names: tuple[str, ...], reach: float) -> FloatArray:
+def near(face: Face, names: tuple[str, ...], reach: float) -> FloatArray:
     """Gaussian (N,) of the distance to the nearest of some landmarks; ``reach`` is its standard deviation in mm."""
     places = face.skin.positions[[face.landmarks[n] for n in names]]
     distance = np.linalg.norm(face.skin.positions[:, None] - places[None], axis=2).min(axis=1)
@@ -205,15 +208,15 @@ def complexion(face: Face) -> Complexion:
     def lay(colour: Colour, share: FloatArray) -> None:
         colours[:] += (np.array(colour) - colours) * share[:, None]
 
-    cheeks = _near(face, ("cheek_L", "cheek_R"), 15.0)
-    nose = np.maximum(_near(face, ("nose_tip",), 9.0), _near(face, ("ala_L", "ala_R"), 7.0))
+    cheeks = near(face, ("cheek_L", "cheek_R"), 15.0)
+    nose = np.maximum(near(face, ("nose_tip",), 9.0), near(face, ("ala_L", "ala_R"), 7.0))
     tragus = abs(float(position[face.landmarks["tragus_L"], 0]))
     ears = smooth(np.abs(position[:, 0]), tragus - 2.0, tragus + 8.0)
-    chin = _near(face, ("chin",), 13.0)
+    chin = near(face, ("chin",), 13.0)
     lids = _lid_distance(face)
     lips = lip_share(face)
-    lay(palette.pale, _near(face, ("supraglabella", "frontal_eminence_L", "frontal_eminence_R"), 24.0))
-    lay(palette.pale, 0.6 * _near(face, ("suborbital_L", "suborbital_R"), 9.0))
+    lay(palette.pale, near(face, ("supraglabella", "frontal_eminence_L", "frontal_eminence_R"), 24.0))
+    lay(palette.pale, 0.6 * near(face, ("suborbital_L", "suborbital_R"), 9.0))
     lay(palette.flush, 0.38 * cheeks)
     lay(palette.flush, 0.42 * nose)
     lay(palette.flush, 0.55 * ears)
@@ -223,5 +226,5 @@ def complexion(face: Face) -> Complexion:
     lay(palette.lips, 0.92 * lips)
 
     shine = 1.0 + 0.5 * nose - 0.25 * cheeks + 0.5 * lips
-    shine += 0.25 * _near(face, ("supraglabella", "glabella"), 18.0) - 0.35 * ears
+    shine += 0.25 * near(face, ("supraglabella", "glabella"), 18.0) - 0.35 * ears
     return Complexion(np.clip(colours, 0.0, 1.0), np.asarray(shine))

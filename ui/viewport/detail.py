@@ -6,6 +6,7 @@ alpha is how deep the skin furrows there when it is pushed together.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -137,11 +138,13 @@ def _furrows(lines: Sequence[Furrow], window: _Window) -> ByteArray:
     picture = Image.new("L", window.size, 0)
     pen = ImageDraw.Draw(picture)
     wide = round(FURROW * window.scale)
-    for line in lines:
-        pixels = window.pixels(line.points)
-        for k in range(len(pixels) - 1):
-            ink = int(255 * (line.depth[k] + line.depth[k + 1]) / 2)
-            pen.line([tuple(pixels[k]), tuple(pixels[k + 1])], fill=ink, width=max(round(wide * ink / 255), 2))
+    pieces = [
+        (int(255 * (line.depth[k] + line.depth[k + 1]) / 2), tuple(start), tuple(stop))
+        for line in lines
+        for k, (start, stop) in enumerate(itertools.pairwise(window.pixels(line.points)))
+    ]
+    for ink, start, stop in sorted(pieces):
+        pen.line([start, stop], fill=ink, width=max(round(wide * ink / 255), 2))
     drawn = np.asarray(picture, dtype=np.float64)
     sharp, soft = (gaussian_filter(drawn, size * window.scale) for size in (FURROW / 2, 2.5 * FURROW))
     return np.clip(1.1 * sharp + 0.8 * soft, 0, 255).astype(np.uint8)

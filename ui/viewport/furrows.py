@@ -1,12 +1,14 @@
 """Where a face furrows when its skin is pushed together: lines across the forehead, between the brows, beside eyes and
 nose.
 
-They run square to the muscles that press the skin, and are the same in all of us; how deep they are is for the pose to
-say, see `ui.viewport.folding`.
+They run square to the muscles that press the skin, in all of us in the same places. How they bend, break and branch
+there is everybody's own, drawn from the key of the face, and a little different on either side; how deep they are is
+for the pose to say, see `ui.viewport.folding`.
 """
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -27,14 +29,20 @@ FACING = 0.15
 FOREHEAD = (14.0, 9.0, 4)
 """Millimetres from the middle of the brows up to the first line of the forehead, from line to line, and lines."""
 
+SHORTEST = 0.22
+"""Length of the shortest piece of a line across the forehead, as a share of the half of it."""
+
 FROWN = 7.0
 """Millimetres from the midline to the lines between the brows."""
 
-CROWS_FEET = (-40.0, -17.0, 4.0, 24.0)
-"""Degrees above the horizontal in which lines run outwards from the outer corner of an eye."""
+CROWS_FEET = (-38.0, 26.0)
+"""Degrees above the horizontal between which lines run outwards from the outer corner of an eye."""
 
-BESIDE_NOSE = 3
-"""Lines that climb over either side of the nose."""
+BRANCHED = 0.4
+"""Share of these lines that branch."""
+
+BESIDE_NOSE = (2, 4)
+"""Fewest and most lines that climb over either side of the nose."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +95,10 @@ class _Front:
         self.skin = face.skin.positions
         self._tree = igl.AABB()
         self._tree.init(self.skin, face.skin.triangles)
-        self.random = np.random.default_rng(5)
+
+    def habit(self, place: str) -> np.random.Generator:
+        """What is this face's own in a place, always the same."""
+        return np.random.default_rng(zlib.crc32(f"{self.face.key} {place}".encode()))
 
     def at(self, name: str) -> FloatArray:
         """A landmark (3,)."""
@@ -111,23 +122,34 @@ class _Front:
 _Line = tuple[FloatArray, FloatArray]
 
 
-def _tapered(sharp: float = 1.0) -> FloatArray:
-    """Depth (K,) of a line that begins and ends in nothing."""
-    return np.sin(np.pi * np.linspace(0, 1, STEPS)) ** sharp
+def _tapered(sharp: float = 1.0, peak: float = 0.5) -> FloatArray:
+    """Depth (K,) of a line that begins and ends in nothing and is deepest at some share of its length."""
+    along = np.linspace(0, 1, STEPS) ** (np.log(0.5) / np.log(peak))
+    return np.asarray(np.clip(np.sin(np.pi * along), 0.0, 1.0) ** sharp)
 
 
 def _forehead(front: _Front) -> Iterator[_Line]:
+    own = front.habit("forehead")
     first, apart, count = FOREHEAD
     brow, wide = front.at("brow_mid_L"), 0.82 * front.at("brow_outer_L")[0]
+    arch, droop, height = own.uniform(0.4, 2.6), own.uniform(1.6, 3.2), brow[1] + first + own.uniform(-2.0, 2.0)
     for line in range(count):
-        for begin, end in ((-1.0, -0.06), (-0.22, 0.30), (0.05, 1.0)):
-            ends = np.array([begin, end]) + front.random.uniform(-0.05, 0.05, 2)
-            s = np.linspace(*ends, STEPS)
-            arch = 3.0 * np.cos(np.pi * s) ** 2 - 3.0 - 4.0 * np.abs(s) ** 3
-            wave = 0.5 * np.sin(front.random.uniform(5, 9) * s + front.random.uniform(0, 6))
-            y = brow[1] + first + line * apart - arch * 0.6 + wave + front.random.uniform(-0.8, 0.8)
-            middle = 1.0 if begin < 0 < end else 0.85
-            yield np.column_stack([wide * s, y]), middle * _tapered(0.6) * (1.0 - 0.12 * line)
+        for begin, end in _pieces(own):
+            s = np.linspace(begin, end, STEPS)
+            wave = own.uniform(0.3, 0.7) * np.sin(own.uniform(5, 9) * s + own.uniform(0, 6))
+            bend = arch * np.sin(np.pi * s) ** 2 + droop * np.abs(s) ** 3
+            depth = own.uniform(0.65, 1.0) * (1.0 - 0.12 * line)
+            y = height + bend + wave + own.uniform(-0.8, 0.8)
+            yield np.column_stack([wide * s, y]), depth * _tapered(0.75, own.uniform(0.4, 0.6))
+        height += apart * own.uniform(0.8, 1.2)
+
+
+def _pieces(own: np.random.Generator) -> list[tuple[float, float]]:
+    """Into which pieces, from -1 on the right to 1 on the left, a line across the forehead breaks."""
+    breaks = np.sort(own.uniform(-0.5, 0.5, own.integers(1, 4)))
+    begins = np.concatenate([[-1.0 + own.uniform(0, 0.25)], breaks - own.uniform(-0.04, 0.12, len(breaks))])
+    ends = np.concatenate([breaks + own.uniform(-0.04, 0.12, len(breaks)), [1.0 - own.uniform(0, 0.25)]])
+    return [(begin, end) for begin, end in zip(begins, ends, strict=True) if end - begin > SHORTEST]
 
 
 def _forehead_skin(front: _Front) -> tuple[FloatArray, FloatArray]:
@@ -140,15 +162,20 @@ def _forehead_skin(front: _Front) -> tuple[FloatArray, FloatArray]:
 
 def _frown(front: _Front) -> Iterator[_Line]:
     brow = front.between_brows
-    for side in (-1.0, 1.0):
-        t = np.linspace(0, 1, STEPS)
-        x = side * (FROWN - 1.8 + 2.6 * t + 0.5 * np.sin(4 * t + side))
-        yield np.column_stack([x, brow - 6.0 + 17.5 * t]), _tapered(0.9)
-        yield np.column_stack([x * 0.45 + 0.4, brow - 3.0 + 10.0 * t]), 0.4 * _tapered()
-    nasion = front.at("nasion")
-    for height, depth in ((2.0, 0.9), (-2.2, 0.6)):
-        x = np.linspace(-7.5, 7.5, STEPS)
-        yield np.column_stack([x, nasion[1] + height - 0.02 * x**2]), depth * _tapered(0.8)
+    t = np.linspace(0, 1, STEPS)
+    for side, name in ((-1.0, "R"), (1.0, "L")):
+        own = front.habit(f"frown {name}")
+        x = FROWN - 1.8 + own.uniform(-1.0, 1.0) + own.uniform(1.2, 3.4) * t + 0.5 * np.sin(4 * t + own.uniform(0, 6))
+        low, long = own.uniform(-7.5, -5.0), own.uniform(14.0, 19.0)
+        yield np.column_stack([side * x, brow + low + long * t]), _tapered(0.9, own.uniform(0.4, 0.55))
+        inner, begin = own.uniform(0.3, 0.6), own.uniform(-4.0, -1.0)
+        faint = own.uniform(0.15, 0.5) * _tapered(1.2)
+        yield np.column_stack([side * x * inner, brow + begin + own.uniform(6.0, 11.0) * t]), faint
+    own, nasion = front.habit("root of the nose"), front.at("nasion")
+    for height, depth in ((2.0, own.uniform(0.6, 0.95)), (-2.2, own.uniform(0.3, 0.7))):
+        x = np.linspace(-own.uniform(5.5, 8.0), own.uniform(5.5, 8.0), STEPS)
+        y = nasion[1] + height + own.uniform(-0.6, 0.6) + own.uniform(-0.05, 0.05) * x - 0.02 * x**2
+        yield np.column_stack([x, y]), depth * _tapered(0.9, own.uniform(0.4, 0.6))
 
 
 def _frown_skin(front: _Front) -> tuple[FloatArray, FloatArray]:
@@ -160,17 +187,28 @@ def _frown_skin(front: _Front) -> tuple[FloatArray, FloatArray]:
 
 
 def _crows_feet(front: _Front) -> Iterator[_Line]:
+    low, high = CROWS_FEET
     for side in "LR":
-        corner = front.at(f"eye_outer_{side}")
-        outward = 1.0 if side == "L" else -1.0
-        for number, degrees in enumerate(CROWS_FEET):
-            angle = np.radians(degrees)
-            length = (11.0, 15.0, 15.0, 11.0)[number]
-            t = np.linspace(0, 1, STEPS)
-            bend = angle + 0.35 * (t - 0.3) * np.sign(degrees + 1e-9) * (1.0 if number in (0, 3) else 0.3)
-            away = 5.0 + length * t
-            places = np.column_stack([outward * away * np.cos(bend), away * np.sin(bend)])
-            yield corner[:2] + places, (0.75, 1.0, 1.0, 0.75)[number] * _tapered(0.8)
+        own = front.habit(f"beside eye {side}")
+        corner, outward = front.at(f"eye_outer_{side}")[:2], np.array([1.0 if side == "L" else -1.0, 1.0])
+        for share in np.linspace(-1, 1, own.integers(4, 6)):
+            degrees = (low + high) / 2 + share * (high - low) / 2 + own.uniform(-5.0, 5.0)
+            curl = 0.5 * share + own.uniform(-0.25, 0.25)
+            ray = _ray(own, degrees, own.uniform(4.0, 7.5), own.uniform(9.0, 15.0) * (1 - 0.3 * abs(share)), curl)
+            depth = own.uniform(0.7, 1.0) * (1 - 0.3 * abs(share))
+            yield corner + outward * ray, depth * _tapered(1.3, own.uniform(0.3, 0.5))
+            if own.uniform() < BRANCHED:
+                off, away = own.choice([-1.0, 1.0]), own.uniform(9.0, 12.0)
+                branch = _ray(own, degrees + off * 5.0, away, own.uniform(4.0, 7.0), curl + off * own.uniform(0.3, 0.5))
+                yield corner + outward * branch, 0.5 * depth * _tapered(1.3)
+
+
+def _ray(own: np.random.Generator, degrees: float, away: float, long: float, curl: float) -> FloatArray:
+    """Places (K, 2) of a line that runs away from a corner, turning by some radians on its way."""
+    t = np.linspace(0, 1, STEPS)
+    wobble = 0.03 * np.sin(own.uniform(4, 8) * t + own.uniform(0, 6))
+    angle, distance = np.radians(degrees) + curl * t**1.5 + wobble, away + long * t
+    return np.column_stack([distance * np.cos(angle), distance * np.sin(angle)])
 
 
 def _skin_beside_eyes(front: _Front) -> tuple[FloatArray, FloatArray]:
@@ -189,12 +227,17 @@ def _skin_beside_eyes(front: _Front) -> tuple[FloatArray, FloatArray]:
 
 def _beside_nose(front: _Front) -> Iterator[_Line]:
     nasion, tip = front.at("nasion"), front.at("nose_tip")
-    for side in (-1.0, 1.0):
-        for line in range(BESIDE_NOSE):
-            t = np.linspace(0, 1, STEPS)
-            x = side * (2.5 + (9.0 + 1.5 * line) * t)
-            y = nasion[1] - 7.0 - 3.6 * line - (2.0 + 5.5 * t) * t - 0.06 * (nasion[1] - tip[1]) * line
-            yield np.column_stack([x, y]), (0.9 - 0.15 * line) * _tapered(0.8)
+    fewest, most = BESIDE_NOSE
+    t = np.linspace(0, 1, STEPS)
+    for side, name in ((-1.0, "R"), (1.0, "L")):
+        own = front.habit(f"beside nose {name}")
+        height = nasion[1] - 7.0 + own.uniform(-1.0, 1.0)
+        for line in range(own.integers(fewest, most + 1)):
+            x = side * (own.uniform(2.0, 3.5) + (own.uniform(7.5, 10.0) + 1.5 * line) * t)
+            y = height - (own.uniform(1.0, 3.0) + own.uniform(4.0, 7.0) * t) * t
+            depth = own.uniform(0.65, 0.95) - 0.12 * line
+            yield np.column_stack([x, y]), depth * _tapered(1.0, own.uniform(0.35, 0.55))
+            height -= own.uniform(2.8, 4.4) + 0.06 * (nasion[1] - tip[1])
 
 
 def _skin_of_nose(front: _Front) -> tuple[FloatArray, FloatArray]:

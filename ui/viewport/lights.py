@@ -34,12 +34,13 @@ class Lamp:
 
 KEY = Lamp("key", (-0.55, 0.62, 0.75), (1.26, 1.18, 1.08))
 FILL = Lamp("fill", (0.85, 0.10, 0.60), (0.20, 0.225, 0.265))
-RIM = Lamp("rim", (0.75, 0.45, -0.75), (0.76, 0.76, 0.80))
+RIM = Lamp("rim", (0.70, 1.50, -0.75), (0.80, 0.82, 0.88))
+"""High enough that nothing lights up under the jaw, where the neck would be in its way: no lamp here casts a shadow."""
 LAMPS = (KEY, FILL, RIM)
 
 SKY: Colour = (0.27, 0.28, 0.30)
-GROUND: Colour = (0.14, 0.115, 0.10)
-"""Light from all around, from above and from below; linear."""
+GROUND: Colour = (0.170, 0.117, 0.094)
+"""Light from all around, from above and from below, where it comes off shoulders and chest; linear."""
 
 
 def light(renderer: vtkRenderer) -> None:

@@ -12,7 +12,7 @@ from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.mesh import Mesh
 from fem.types import FloatArray
-from ui.viewport.complexion import Palette, complexion, has_features, openings, palette_of, smooth
+from ui.viewport.complexion import Palette, complexion, has_features, near, openings, palette_of, smooth
 from ui.viewport.detail import Detail, skin_detail
 from ui.viewport.furrows import Furrows, furrows
 from ui.viewport.occlusion import openness
@@ -20,10 +20,15 @@ from ui.viewport.surface import ByteArray
 
 NECK_FADE, NECK_DARK = 55.0, 0.45
 """Millimetres over which the neck rises out of the dark, and its openness at the rim."""
+UNDER_CHIN = 17.0
+"""Millimetres below the chin over which that dark sets in."""
 CONTRAST = 1.35
 """Exponent on the openness: rays spread over a hemisphere tell too gently what the eye sees as a hollow."""
 NOSTRIL = 4.6
 """Radius of a nostril in millimetres; the mesh has a dent there, life a hole that no light comes out of."""
+CORNER_DARK, CORNER_REACH = 0.65, 2.4
+"""Share of the light that the corners of the mouth lack, and about how many millimetres around them: they dent the skin
+less than in life, and would shine."""
 KEPT = 4
 """Faces whose look is remembered, so that a new solution of a face costs nothing here."""
 
@@ -82,9 +87,11 @@ def _shade(face: Face, skin: Mesh) -> FloatArray:
     rim = position[skin.boundary_loops[-1]]
     normal = np.linalg.svd(rim - rim.mean(axis=0))[2][2]
     rise = np.abs((position - rim.mean(axis=0)) @ normal)
-    below = smooth(position[:, 1], position[face.landmarks["menton"], 1], rim[:, 1].max())
+    chin = position[face.landmarks["menton"], 1]
+    below = smooth(position[:, 1], chin, chin - UNDER_CHIN)
     dim = (1 - NECK_DARK) * smooth(rise, NECK_FADE, 0.0) * below
-    return np.asarray(open_ * (1 - 0.92 * nostril) * (1 - dim))
+    corners = CORNER_DARK * near(face, ("mouth_corner_L", "mouth_corner_R"), CORNER_REACH)
+    return np.asarray(open_ * (1 - 0.92 * nostril) * (1 - dim) * (1 - corners))
 
 
 def _nostrils(face: Face, open_: FloatArray) -> FloatArray:

@@ -42,13 +42,8 @@ from ui.viewport.figure import Figure
 from ui.viewport.lights import light
 from ui.viewport.mount import HeadMount
 from ui.viewport.muscle_fields import muscle_named, muscle_pull
-from ui.viewport.overlays.forces import ForcesOverlay
-from ui.viewport.overlays.influence import InfluenceOverlay
-from ui.viewport.overlays.muscles import MusclesOverlay
-from ui.viewport.overlays.overlay import Drawn, Overlay
-from ui.viewport.overlays.skull import SkullOverlay
-from ui.viewport.overlays.supports import SupportsOverlay
-from ui.viewport.overlays.wireframe import WireframeOverlay
+from ui.viewport.overlays.chosen import ChosenOverlays
+from ui.viewport.overlays.overlay import Drawn
 from ui.viewport.paint import Coat, paint_of, painted
 from ui.viewport.pick import Hit, first_hit, ray_through, skin_vertex
 from ui.viewport.shading import Ghost
@@ -73,7 +68,7 @@ class Scene:
     figure : the face as it is drawn; none before the first project
     mount : carries all of it as the head is held
     coat : paints the skin where nothing glows, before influence and supports do; then call `repaint`
-    skull : the bone, which can be carried and dyed
+    overlays : what can be drawn with the skin; ``skull`` is the bone, which can be carried and dyed
     state : what is shown
     """
 
@@ -86,15 +81,8 @@ class Scene:
         self._drawn: Drawn | None = None
         self.coat: Coat | None = None
         self._pulls = MusclePulls()
-        self.skull = SkullOverlay(self.renderer)
-        self._overlays: dict[str, Overlay] = {
-            "skull": self.skull,
-            "muscles": MusclesOverlay(self.renderer),
-            "forces": ForcesOverlay(self.renderer),
-            "supports": SupportsOverlay(self.renderer),
-            "wireframe": WireframeOverlay(self.renderer),
-            "influence": InfluenceOverlay(self.renderer),
-        }
+        self.overlays = ChosenOverlays(self.renderer)
+        self.skull = self.overlays.skull
         plotter.camera_set = True
         light(self.renderer)
         self.renderer.SetUseOIT(False)
@@ -122,8 +110,7 @@ class Scene:
             self.look_from(self.state.view if self.state.view in DIRECTIONS else "three-quarter")
         self._ghost()
         self._paint()
-        for name, overlay in self._overlays.items():
-            self._switch(overlay, self._wanted(name), rebuild=True)
+        self.overlays.choose(self._drawn, self._wanted, anew=self.overlays.names)
 
     def _become(self, figure: Figure) -> None:
         for actor in self.figure.actors if self.figure is not None else ():
@@ -143,8 +130,7 @@ class Scene:
             self._drawn.figure.posed.rig = rig_of(project.units)
         if any(getattr(before, name) is not getattr(project, name) for name in ("face", "muscles", "units")):
             self._paint()
-            for name, overlay in self._overlays.items():
-                self._switch(overlay, self._wanted(name), rebuild=True)
+            self.overlays.choose(self._drawn, self._wanted, anew=self.overlays.names)
 
     def pose(self, expression: Expression) -> None:
         """Pose the face; one changed weight costs one scaled addition of a field. Draws nothing."""
@@ -170,11 +156,8 @@ class Scene:
         self._ghost()
         if painted(state) != painted(before):
             self._paint()
-        for name, overlay in self._overlays.items():
-            anew = (name == "influence" and state.muscle != before.muscle) or (
-                name == "muscles" and state.hidden != before.hidden
-            )
-            self._switch(overlay, self._wanted(name), rebuild=anew)
+        changed = {"influence": state.muscle != before.muscle, "muscles": state.hidden != before.hidden}
+        self.overlays.choose(self._drawn, self._wanted, anew=[name for name in changed if changed[name]])
         self._follow()
 
     @property
@@ -185,7 +168,8 @@ class Scene:
     def repaint(self) -> None:
         """Lay on the skin anew whatever lies on it."""
         self._paint()
-        self._switch(self._overlays["influence"], self._wanted("influence"), rebuild=False)
+        if self._drawn is not None:
+            self.overlays.choose(self._drawn, self._wanted)
 
     def glow(self, keys: frozenset[str]) -> None:
         """Make the skin glow where some muscles pull; an empty set ends it."""
@@ -203,8 +187,7 @@ class Scene:
         half = picture_scale(self.renderer.GetActiveCamera())
         if abs(half / self._drawn.half_height - 1) > RESCALED:
             self._drawn = replace(self._drawn, half_height=half)
-            if self._overlays["forces"].shown:
-                self._overlays["forces"].follow(self._drawn)
+            self.overlays.rescale(self._drawn)
 
     @property
     def frame(self) -> Frame:
@@ -284,17 +267,14 @@ class Scene:
         if self.figure is not None and self._drawn is not None:
             self.figure.skin.paint(paint_of(self._drawn, self.state, self.coat))
 
-    def _wanted(self, name: str) -> bool:
-        """Whether an overlay is asked for; under a coat there is no influence to have a legend."""
-        return bool(getattr(self.state, name)) and not (name == "influence" and self.coat is not None)
-
-    def _switch(self, overlay: Overlay, on: bool, rebuild: bool) -> None:
-        if on and self._drawn is not None and (rebuild or not overlay.shown):
-            overlay.show(self._drawn)
-        elif not on and overlay.shown:
-            overlay.hide()
+    @property
+    def _wanted(self) -> frozenset[str]:
+        """The overlays that are asked for; under a coat there is no influence to have a legend."""
+        coated = self.coat is not None
+        return frozenset(
+            name for name in self.overlays.names if getattr(self.state, name) and not (name == "influence" and coated)
+        )
 
     def _follow(self) -> None:
-        for overlay in self._overlays.values():
-            if overlay.shown and self._drawn is not None:
-                overlay.follow(self._drawn)
+        if self._drawn is not None:
+            self.overlays.follow(self._drawn)

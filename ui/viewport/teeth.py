@@ -40,8 +40,15 @@ ENAMEL: Colour = (0.780, 0.735, 0.645)
 NECK: Colour = (0.68, 0.58, 0.44)
 GAP: Colour = (0.20, 0.12, 0.09)
 GUM: Colour = (0.54, 0.25, 0.245)
-DARKEST = 0.12
-"""Openness of the hindmost tooth."""
+DARKEST = 0.04
+"""Openness of the hindmost tooth, where a row ends in the dark."""
+LIT, UNLIT = 0.5, 4.2
+"""Teeth from the midline, 0 the first and 5 the first molar, at which lips and cheeks begin to take the light, and have
+taken it."""
+INSIDE = 0.35
+"""Openness of the tongue's side of a tooth."""
+UNDER_LIP = 0.62
+"""Openness of the gum and the necks, which lie under the lip while the edges are seen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,8 +189,18 @@ def _crowns(arch: _Arch) -> tuple[FloatArray, FloatArray]:
     colour = np.array(ENAMEL) + (np.array(NECK) - np.array(ENAMEL)) * (0.7 * warm)[..., None]
     colour = colour + (np.array(GAP) - colour) * (0.8 * gap)[..., None]
     colour = colour + (np.array(GUM) - colour) * (1 - crown)[..., None]
-    back = smooth(points[..., 2].max() - points[..., 2], -3.0, 30.0)
-    return points, np.concatenate([colour, (1 - (1 - DARKEST) * back)[..., None]], axis=-1)
+    open_ = _openness(arch, side, smooth(rise / gum, 0.15, 1.0))
+    return points, np.concatenate([colour, open_[..., None]], axis=-1)
+
+
+def _openness(arch: _Arch, inside: FloatArray, under_lip: FloatArray) -> FloatArray:
+    """Share (C, R) of the light that an open mouth lets in to each place of a row, the darkest at its ends."""
+    backwards = np.repeat([-1.0, 1.0], len(arch.tooth) // 2)
+    back = smooth(arch.tooth + 0.5 * arch.within * backwards, LIT, UNLIT)[:, None]
+    dark, within, covered = (
+        1 - (1 - least) * share for least, share in ((DARKEST, back), (INSIDE, inside), (UNDER_LIP, under_lip))
+    )
+    return np.asarray(dark * within * covered)
 
 
 def _grid(points: FloatArray) -> Mesh:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Protocol, runtime_checkable
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 from shiboken6 import isValid
@@ -51,7 +51,15 @@ class HeldHand(QObject):
     parent : with which it ends
     actions : by id; the keys of undo and redo are theirs
     lent : how that is taken back which something else does by dragging on a widget
+
+    Signals
+    -------
+    refused() : a key was kept from what it is for
+    freed() : what was held then has been let go or taken back
     """
+
+    refused = Signal()
+    freed = Signal()
 
     def __init__(
         self,
@@ -64,6 +72,7 @@ class HeldHand(QObject):
         self._held: tuple[tuple[QWidget, TakeBack], ...] = ()
         self._right = False
         self._refused: set[int] = set()
+        self._told = False
         QApplication.instance().installEventFilter(self)
 
     @property
@@ -113,6 +122,7 @@ class HeldHand(QObject):
         """The menu of a right press may come after its release, so that press is forgotten only with the next."""
         if button == LEFT:
             self._held = ()
+            self._free()
         return button == RIGHT and self._right
 
     def _is_typed_into(self, watched: QWidget) -> bool:
@@ -127,7 +137,16 @@ class HeldHand(QObject):
                 self._refused.add(event.key())
             if self._takes_back(event):
                 self.take_back()
+                self._free()
+            elif not event.isAutoRepeat():
+                self._told = True
+                self.refused.emit()
         return True
+
+    def _free(self) -> None:
+        if self._told:
+            self._told = False
+            self.freed.emit()
 
     def _keeps_release(self, event: QKeyEvent) -> bool:
         """A key that nobody heard go down is not heard to go up: on a button that is held, Space would be a click."""

@@ -121,7 +121,7 @@ class WindowHost:
 
     def show_face_information(self) -> None:
         """Show the figures of the face."""
-        self._window.show_dock("information")
+        self._window.arrangement.show("information")
 
     def show_shortcuts(self) -> None:
         """Show all keys."""
@@ -133,7 +133,7 @@ class WindowHost:
 
     def reset_layout(self) -> None:
         """Put all panels where they were at the first start."""
-        self._window.reset_layout()
+        self._window.arrangement.reset()
 
     def toggle_full_screen(self) -> None:
         """Fill the screen, or leave it."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent, QResizeEvent
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QMainWindow
 
 from app.actions.action import Action, perform
@@ -21,9 +21,7 @@ from app.view_state import ViewState, Workspace
 from facemodel.muscles import Muscle
 from ui.panels.actions.sculpt_deeds import SCULPT_ACTIONS
 from ui.panels.actions.unit_deeds import UNIT_ACTIONS
-from ui.panels.console_panel import ConsolePanel
 from ui.panels.expression_panel import ExpressionPanel
-from ui.panels.face_information import FaceInformation
 from ui.panels.muscle_text import muscle_label
 from ui.panels.muscles.actions import MUSCLE_ACTIONS
 from ui.panels.skull.deeds import skull_actions
@@ -32,14 +30,13 @@ from ui.timeline.desk import TimelineDesk, desk_actions, timeline_view
 from ui.viewport.tool_hands import ToolHands
 from ui.widgets.command_palette import CommandPalette
 from ui.window.action_binding import ActionBinding
+from ui.window.arrangement import LEAST, Arrangement
 from ui.window.delivery import UiThread
-from ui.window.dock import Dock
 from ui.window.drawing_quality import DrawingQuality
 from ui.window.file_drops import FileDrops
 from ui.window.first_hints import FirstHints
 from ui.window.held_hand import HeldHand, tool_in_hand
 from ui.window.host import WindowHost
-from ui.window.layout import Layout, layout_from, layout_text
 from ui.window.menus import fill_menus
 from ui.window.palette_entries import palette_entries
 from ui.window.preparation import Preparation
@@ -54,10 +51,7 @@ from ui.workspaces.switching import WorkspacePanels
 from ui.workspaces.tabs import WorkspaceTabs
 from ui.workspaces.workspace import Parts, WorkspaceKind
 
-LEAST = QSize(1024, 600)
-USUAL = QSize(1440, 900)
-SHARE_OF_SCREEN = 0.94
-
+HELD = "Let go of the mouse first, or take it back with Esc."
 IDLE_HINT = "Drag a bar, or the face itself · right-drag turns the head · wheel zooms · Ctrl+Shift+P finds everything"
 
 
@@ -82,7 +76,6 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setMinimumSize(LEAST)
         self.setDockOptions(QMainWindow.DockOption.AllowTabbedDocks | QMainWindow.DockOption.AnimatedDocks)
-        self._folded: frozenset[str] = frozenset()
         self.context = Context(document, view, settings, solving, WindowHost(self))
         bench = Bench(document, view, deliver=UiThread(self).deliver)
         self.toolbox = ToolBox(bench, all_tools())
@@ -97,7 +90,6 @@ class MainWindow(QMainWindow):
         self.panels = WorkspacePanels(parts, WORKSPACES)
         self.expression: ExpressionPanel = self.panels.panel("expression")
         self.timeline = TimelineDesk(self.span, self.binding, self.viewport, self.context, self.portraits)
-        self.docks = self._make_docks(document)
         self.hands = ToolHands(self.viewport.canvas, self.viewport.scene, self.toolbox)
         self.held = HeldHand(self, self.binding.qt, {self.viewport.canvas: tool_in_hand(self.hands, self.toolbox)})
         self.strip = ToolStrip(self.binding, self.toolbox)
@@ -109,32 +101,19 @@ class MainWindow(QMainWindow):
         self.palette_box = CommandPalette(self, lambda query: palette_entries(query, self.context, self.binding))
         self.progress = SolveProgress(self.context, self.status, self.viewport)
         self.hints = FirstHints(self.context, self.viewport)
-        self._place_docks()
-        self._usual = self.saveState()
+        self.arrangement = Arrangement(self, self.context, self.panels, self.timeline)
+        self.docks = self.arrangement.docks
         self._connect()
         self._refill_menus()
         self._retitle()
         self.status.show_hint(IDLE_HINT)
-        self._restore()
+        self.arrangement.restore()
         self.viewport.canvas.setFocus()
-
-    def reset_layout(self) -> None:
-        """Put all docks and groups where they were at the first start."""
-        for dock in self.docks.values():
-            dock.setFloating(False)
-        self.timeline.dock.fold(True)
-        self.restoreState(self._usual)
-        self._fold(frozenset())
-
-    def show_dock(self, name: str) -> None:
-        """Bring a dock to the front."""
-        self.docks[name].show()
-        self.docks[name].raise_()
 
     def show_workspace(self, workspace: Workspace) -> None:
         """Open a workspace and bring its panel to the front."""
         self.context.view.change(workspace=workspace)
-        self.show_dock("workspace")
+        self.arrangement.show("workspace")
 
     def event(self, event: QEvent) -> bool:
         """Keys meet the state as it is; those that walk within a panel are its own while it has the keyboard."""
@@ -150,10 +129,7 @@ class MainWindow(QMainWindow):
         if not (self.context.host.may_stop_export() and may_leave(self.context)):
             event.ignore()
             return
-        self.context.settings.change(
-            geometry=bytes(self.saveGeometry().toBase64().data()).decode(),
-            layout=layout_text(self._layout()),
-        )
+        self.arrangement.remember()
         self.context.solving.job.close()
         self.check.job.close()
         self.portraits.close()
@@ -169,26 +145,6 @@ class MainWindow(QMainWindow):
         if self.palette_box.isVisible():
             self.palette_box.place()
 
-    def _make_docks(self, document: Document) -> dict[str, Dock]:
-        return {
-            "timeline": self.timeline.dock,
-            "workspace": Dock("workspace", "Expression", self.panels),
-            "information": Dock("information", "Face information", FaceInformation(document)),
-            "console": Dock("console", "Console", ConsolePanel(document, self.context.view)),
-        }
-
-    def _place_docks(self) -> None:
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.docks["workspace"])
-        self.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, self.docks["information"])
-        self.docks["information"].hide()
-        console = self.docks["console"]
-        self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self.docks["timeline"])
-        self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, console)
-        self.tabifyDockWidget(self.docks["timeline"], console)
-        console.hide()
-        console.toggleViewAction().triggered.connect(lambda on: self._open_console() if on else None)
-        self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
-
     def _connect(self) -> None:
         FileDrops(self, self.context, self.timeline.exchange.openers)
         document = self.context.document
@@ -197,6 +153,8 @@ class MainWindow(QMainWindow):
         self.context.view.changed.connect(self._follow_view)
         self.context.settings.failed.connect(self.status.notify)
         self.quality.changed.connect(self.status.notify)
+        self.held.refused.connect(lambda: self.status.notify(HELD))
+        self.held.freed.connect(lambda: self.status.withdraw(HELD))
         self.binding.table_changed.connect(self._refill_menus)
         self.palette_box.chosen.connect(self._run)
         self.panels.opened.connect(self._name_panel)
@@ -207,30 +165,10 @@ class MainWindow(QMainWindow):
             brush.changed.connect(lambda *_now: (self.binding.refresh(), self._advise()))
         document.expression_changed.connect(lambda _now: self._advise())
         bench.sight.pointed_changed.connect(self.viewport.name_muscle)
-        self.expression.folds_changed.connect(self._note_folds)
         self.expression.muscles_hovered.connect(self.viewport.glow)
         self.viewport.muscle_hovered.connect(self._name_muscle)
         self.timeline.advised.connect(lambda text: self.status.show_hint(text) if text else self._advise())
         self.timeline.failed.connect(self.status.notify)
-
-    def _layout(self) -> Layout:
-        docks, workspace = bytes(self.saveState().data()), self.context.view.state.workspace
-        return Layout(docks, self._folded, workspace, not self.timeline.dock.is_folded)
-
-    def _restore(self) -> None:
-        preferences = self.context.settings.preferences
-        geometry = QByteArray.fromBase64(preferences.geometry.encode())
-        if geometry.isEmpty() or not self.restoreGeometry(geometry):
-            room = QGuiApplication.primaryScreen().availableSize() * SHARE_OF_SCREEN
-            self.resize(USUAL.boundedTo(room).expandedTo(LEAST))
-        layout = layout_from(preferences.layout)
-        self.timeline.dock.fold(not layout.timeline)
-        if layout.docks:
-            self.restoreState(QByteArray(layout.docks))
-        self._fold(layout.folded)
-        if any(kind.id == layout.workspace for kind in WORKSPACES):
-            self.context.view.change(workspace=layout.workspace)
-        self.panels.show_workspace(self.context.view.state.workspace)
 
     def _actions(self, context: Context) -> tuple[Action, ...]:
         of_tools = (*tool_actions(self.toolbox), *brush_actions(self.toolbox))
@@ -241,11 +179,7 @@ class MainWindow(QMainWindow):
     def _console_action(self) -> Action:
         """For the palette and for keys of one's own; the menu has the dock's own switch."""
         hint = "Run Python of your own on the open project, each entry as one step"
-        return Action("window.console", "Console", lambda _context: self._open_console(), hint=hint)
-
-    def _open_console(self) -> None:
-        self.show_dock("console")
-        self.docks["console"].widget().setFocus()
+        return Action("window.console", "Console", lambda _context: self.arrangement.open_console(), hint=hint)
 
     def _take_tool(self, tool: Tool) -> None:
         """Show what is in hand; over the face of the expression workspace the pointer names muscles."""
@@ -266,15 +200,8 @@ class MainWindow(QMainWindow):
         self.docks["workspace"].retitle(kind.title)
         self._take_tool(self.toolbox.tool)
 
-    def _fold(self, groups: frozenset[str]) -> None:
-        self._folded = groups
-        self.expression.fold(groups)
-
-    def _note_folds(self, groups: frozenset[str]) -> None:
-        self._folded = groups
-
     def _refill_menus(self) -> None:
-        fill_menus(self.menuBar(), self.binding, [dock.toggleViewAction() for dock in self.docks.values()])
+        fill_menus(self.menuBar(), self.binding, self.arrangement.switches)
 
     def _retitle(self, _now: object = None) -> None:
         document = self.context.document

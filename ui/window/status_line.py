@@ -72,6 +72,12 @@ class StatusLine(QStatusBar):
         self.hint.setText(text)
         self._timer.start()
 
+    def withdraw(self, text: str) -> None:
+        """End a notice that is over; one that has come since stays."""
+        if self._timer.isActive() and self.hint.text() == text:
+            self._timer.stop()
+            self.hint.setText(self._hint)
+
     def show_progress(self, text: str, share: float) -> None:
         """How far a solve is, 0..1; it is seen if it is not over soon."""
         self.step.setText(text)

@@ -20,7 +20,7 @@ from tests.ui.window.seen import next_frame
 from tests.ui.workspaces.conftest import at
 from ui.panels.actions.panel import EXPRESSIONS
 from ui.widgets.number_edit import NumberEdit
-from ui.window.main_window import MainWindow
+from ui.window.main_window import HELD, MainWindow
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 NONE, CTRL, SHIFT = (
@@ -203,6 +203,30 @@ def test_other_keys_wait_for_the_button_and_the_drag_is_one_step(held: Held) -> 
     assert len(document.history.done) == 2
     QTest.keyClick(held.window, Key.Key_S, CTRL)
     assert not document.dirty
+
+
+def test_a_key_that_waits_says_so_until_the_button_goes_up(held: Held) -> None:
+    line = held.window.status.hint
+    before = line.text()
+    QTest.keyClick(held.widget, Key.Key_Shift)
+    assert line.text() == before, "it changes the drag, and nothing was refused"
+    QTest.keyClick(held.widget, Key.Key_S, CTRL)
+    assert line.text() == line.seen == HELD
+    held.go_on(QPoint(6, 0))
+    assert line.text() == HELD
+    held.let_go()
+    assert line.text() not in (HELD, "")
+    QTest.keyClick(held.widget, Key.Key_F9)
+    assert line.text() != HELD
+
+
+def test_a_key_that_waits_says_so_until_the_drag_is_taken_back(held: Held) -> None:
+    line = held.window.status.hint
+    QTest.keyClick(held.widget, Key.Key_Delete)
+    assert line.text() == HELD
+    QTest.keyClick(held.widget, Key.Key_Escape)
+    assert line.text() not in (HELD, "")
+    held.let_go()
 
 
 @pytest.mark.parametrize("what", [slider, event], ids=lambda each: each.__name__)
