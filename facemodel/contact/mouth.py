@@ -69,6 +69,7 @@ class Mouth:
             self._teeth.push(here, rows, close)
         deepest, reading = self._lips.part(here)
         if reading is None:
+            close[:] = True  # lips that part go farther than points that come out one by one
             self._teeth.push(here, rows, close)
             reading = self._lips.read(here)
         near = self._lips.keep_apart(here, reading, deepest)

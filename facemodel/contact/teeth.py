@@ -23,7 +23,7 @@ WAYS = 2
 """How often lips give way as a whole: a column goes less than it should where those beside it need not go."""
 
 CLOSE = 6.0
-"""Millimetres from a row of teeth within which points are looked at again; contact moves none so far from outside."""
+"""Millimetres from a row of teeth within which points are looked at again; one by one they go less far."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +102,7 @@ class BeforeTeeth:
 
         Parameters
         ----------
-        close : (r, n) which are looked at
+        close : (r, n) which are looked at; those stay marked that are close to the row
         """
         return bool(rows) and _push(here, rows, *self._lips, close, slack)
 
@@ -222,6 +222,7 @@ def _push_lip(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray, 
         i = lip.kept[at]
         if close[i]:
             depth, right, front = _depth(here, row, i)
+            close[i] = depth > -CLOSE
             by = lip.hold[at] * (depth - resting[number] - slack)
             if by > 0.0:
                 met = True
