@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import igl
 import numpy as np
+from scipy.ndimage import map_coordinates, maximum_filter
 
 from facemodel.compiled import compiled
 from facemodel.contact.grid import beside, between
@@ -15,8 +16,11 @@ from fem.types import FloatArray
 BEHIND = 10.0
 """Millimetres from the back of a row to the axis from which it is seen: from there every tooth shows its front."""
 
-DIRECTIONS, LEVELS = 64, 28
-"""How finely the front is sampled, along the arch and upwards: steps of two millimetres and less than one."""
+DIRECTIONS, LEVELS = 128, 42
+"""How finely the front is kept, along the arch and upwards: steps of about one millimetre and half of one."""
+
+FINER = 3
+"""How many times as finely it is looked at: between two places that are kept the bulge of a tooth would be missed."""
 
 GUM = 12.0
 """Millimetres beyond its roots over which a row goes on as gum."""
@@ -80,10 +84,10 @@ def arch_of(mesh: Mesh, upwards: bool) -> Arch | None:
     axis = np.array([(low[0] + high[0]) / 2, low[2] + BEHIND])
     seen = np.arctan2(mesh.positions[:, 0] - axis[0], mesh.positions[:, 2] - axis[1])
     first, last = np.tan(np.quantile(seen, [0.05, 0.95]) / 2)
-    halves = np.linspace(first, last, DIRECTIONS)
+    halves = np.linspace(first, last, FINER * (DIRECTIONS - 1) + 1)
     root = high[1] if upwards else low[1]
     edge = (low[1] - GUM / 2) if upwards else (high[1] + GUM / 2)
-    levels = np.linspace(min(root, edge), max(root, edge), LEVELS)
+    levels = np.linspace(min(root, edge), max(root, edge), FINER * (LEVELS - 1) + 1)
     reach = _seen_from_outside(mesh, axis, 2 * np.arctan(halves), levels)
     if not (reach > -FAR).any(axis=1).all():
         return None
@@ -92,9 +96,18 @@ def arch_of(mesh: Mesh, upwards: bool) -> Arch | None:
     for direction, start in enumerate((columns > -FAR).argmax(axis=1)):
         columns[direction, :start] = columns[direction, start]
     fall = ROUND * (levels[1] - levels[0])
-    for k in range(1, LEVELS):
+    for k in range(1, len(levels)):
         columns[:, k] = np.maximum(columns[:, k], columns[:, k - 1] - fall)
-    return _with_gum(axis, halves, levels, columns[:, ::-1] if upwards else columns, upwards)
+    reach = _over(columns[:, ::-1] if upwards else columns)
+    return _with_gum(axis, halves[::FINER], levels[::FINER], reach, upwards)
+
+
+def _over(fine: FloatArray) -> FloatArray:
+    """Every `FINER`-th value of a grid both ways, raised so far that none of the others stands out between them."""
+    chosen = fine[::FINER, ::FINER]
+    along, up = (np.linspace(0, count - 1, FINER * (count - 1) + 1) for count in chosen.shape)
+    missed = np.maximum(fine - map_coordinates(chosen, np.meshgrid(along, up, indexing="ij"), order=1), 0.0)
+    return np.asarray(chosen + maximum_filter(missed, 2 * FINER - 1)[::FINER, ::FINER])
 
 
 def _seen_from_outside(mesh: Mesh, axis: FloatArray, angles: FloatArray, levels: FloatArray) -> FloatArray:

@@ -21,7 +21,7 @@ from facemodel.contact.relief import (
     raise_relief,
 )
 from facemodel.contact.spread import Spread, lift
-from fem.types import Float32Array, FloatArray, IntArray
+from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
 SHARE = 0.5
 """What each lip gives way."""
@@ -47,8 +47,9 @@ TOLERATED = 0.04
 SKIN = 0.05
 """Millimetres between each lip and the face between them: what is drawn is flat from point to point."""
 
-PRESSED = 2.0
-"""Millimetres of overlap from which on nothing is left to be as it is at rest: pressed lips lie flat on each other."""
+NEXT = 1.5
+"""Millimetres from the face between the lips within which a point is next to the other lip: crumpled skin stands out of
+its relief by less than that."""
 
 
 class Lip(NamedTuple):
@@ -61,7 +62,9 @@ class Lip(NamedTuple):
     hold : (m,) how far they are, from 0 to 1: less and less where skin begins that goes where it will
     skin : from which of them on they are skin; those before are of the lining
     column : (m,) which column each of them is nearest to
-    triangles : (T, 3) drawn of it
+    triangles : (T, 3) drawn of it, of which its relief is made
+    met : (U, 3) those and what is in the corners, where lips are one piece of skin
+    corners : (b,) points of these, of which no relief tells how near the other lip is
     rim : (E, 2) edges at which its skin ends within the mouth
     spread : how the points go with the columns where the lips part; nothing at the corners, which are of both
     whole : the same where both lips go the same way
@@ -73,6 +76,8 @@ class Lip(NamedTuple):
     skin: int
     column: IntArray
     triangles: IntArray
+    met: IntArray
+    corners: IntArray
     rim: IntArray
     spread: Spread
     whole: Spread
@@ -92,11 +97,11 @@ class LipPair:
 
     def read(self, here: Float32Array) -> LipReading:
         """How the lips stand on posed points (n, 3)."""
-        return _read_lips(here, self.axes, self.upper, self.lower)
+        return read_lips(here, self.axes, self.upper, self.lower)
 
     def overlaps(self, here: Float32Array) -> tuple[FloatArray, FloatArray]:
         """How far the kept points (m,) of both lips are in the other one; below zero where they are apart."""
-        return _overlaps(here, self.axes, self.upper, self.lower)
+        return overlaps_of(here, self.axes, self.upper, self.lower)
 
     def part(self, here: Float32Array, rise: FloatArray, fall: FloatArray) -> None:
         """Move the upper lip up and the lower one down by ways (I,) of their columns, in place."""
@@ -105,47 +110,8 @@ class LipPair:
 
     def keep_apart(self, here: Float32Array, high: FloatArray, low: FloatArray) -> None:
         """Bring points that are beyond the face between the lips, by more than is spared of both, onto it, in place."""
-        _keep_apart(here, self.axes, self.upper, self.lower, self.read(here), high, low)
-
-
-class Lips:
-    """Keeps the lips of a face from going through each other.
-
-    Parameters
-    ----------
-    pair : of the face
-    rest : (n, 3) points of the site at rest
-    """
-
-    def __init__(self, pair: LipPair, rest: Float32Array) -> None:
-        self._pair = pair
-        high, low = pair.overlaps(rest)
-        self._resting = np.maximum(high, 0.0), np.maximum(low, 0.0)
-        self._spared = _spared(rest, pair.axes, pair.upper, pair.lower)
-
-    def part(self, here: Float32Array) -> tuple[float, LipReading | None]:
-        """Part the lips of posed points (n, 3) as wholes, in place.
-
-        Returned are how deep they were in each other, and how they stand, unless that is to be read anew.
-        """
-        pair = self._pair
-        deepest, moved, reading = _part(here, pair.axes, pair.upper, pair.lower, *self._resting)
-        return deepest, None if moved else reading
-
-    def read(self, here: Float32Array) -> LipReading:
-        """How the lips stand on posed points (n, 3)."""
-        return self._pair.read(here)
-
-    def keep_apart(self, here: Float32Array, reading: LipReading, deepest: float) -> None:
-        """Bring what is still beyond the face between the lips onto it, in place, point by point.
-
-        Parameters
-        ----------
-        reading : how the lips stand
-        deepest : how far they were in each other before they were parted
-        """
-        pair, still = self._pair, 1 - min(deepest / PRESSED, 1.0)
-        _keep_apart(here, pair.axes, pair.upper, pair.lower, reading, *(still * spared for spared in self._spared))
+        near = np.zeros(len(here), dtype=np.bool_)
+        bring_apart(here, self.axes, self.upper, self.lower, self.read(here), high, low, near)
 
 
 class LipReading(NamedTuple):
@@ -165,7 +131,7 @@ class LipReading(NamedTuple):
 
 
 @compiled
-def _read_lips(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> LipReading:
+def read_lips(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> LipReading:
     """How lips stand on posed points (n, 3)."""
     places = np.empty((len(here), 3))
     place_points(here, axes.middle, axes.axes, places)
@@ -178,9 +144,9 @@ def _read_lips(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> LipRea
 
 
 @compiled
-def _overlaps(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> tuple[FloatArray, FloatArray]:
+def overlaps_of(here: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> tuple[FloatArray, FloatArray]:
     """See `LipPair.overlaps`."""
-    reading = _read_lips(here, axes, upper, lower)
+    reading = read_lips(here, axes, upper, lower)
     return _overlap(reading, upper, reading.under), _overlap(reading, lower, reading.over)
 
 
@@ -210,9 +176,9 @@ def _beyond(reading: LipReading, lip: Lip, own: FloatArray, other: FloatArray) -
 
 
 @compiled
-def _spared(rest: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> tuple[FloatArray, FloatArray]:
+def spared_at_rest(rest: Float32Array, axes: Axes, upper: Lip, lower: Lip) -> tuple[FloatArray, FloatArray]:
     """How far the kept points of both lips are beyond the face between them at rest, which is left so."""
-    reading = _read_lips(rest, axes, upper, lower)
+    reading = read_lips(rest, axes, upper, lower)
     one = np.maximum(_beyond(reading, upper, reading.over, reading.under), 0.0)
     other = np.maximum(_beyond(reading, lower, reading.under, reading.over), 0.0)
     return one, other
@@ -229,19 +195,19 @@ def _ways(overlap: FloatArray, resting: FloatArray, lip: Lip) -> FloatArray:
 
 
 @compiled
-def _part(
+def part_lips(
     here: Float32Array, axes: Axes, upper: Lip, lower: Lip, resting_high: FloatArray, resting_low: FloatArray
 ) -> tuple[float, bool, LipReading]:
-    """See `Lips.part`; how far the points of both lips rest in each other is given.
+    """See `apart.Lips.part`; how far the points of both lips rest in each other is given.
 
     Whether any was moved since they were read is returned, too.
     """
     deepest, moved = 0.0, False
     left_over, left_under = np.zeros(COLUMNS), np.zeros(COLUMNS)
-    reading = _read_lips(here, axes, upper, lower)
+    reading = read_lips(here, axes, upper, lower)
     for turn in range(WAYS):
         if moved:
-            reading = _read_lips(here, axes, upper, lower)
+            reading = read_lips(here, axes, upper, lower)
             moved = False
         rise = _ways(_overlap(reading, upper, reading.under), resting_high, upper)
         fall = _ways(_overlap(reading, lower, reading.over), resting_low, lower)
@@ -259,7 +225,7 @@ def _part(
 
 
 @compiled
-def _keep_apart(
+def bring_apart(
     here: Float32Array,
     axes: Axes,
     upper: Lip,
@@ -267,18 +233,30 @@ def _keep_apart(
     reading: LipReading,
     high: FloatArray,
     low: FloatArray,
+    near: BoolArray,
 ) -> None:
-    """Move the points of both lips that are beyond the face between them onto it, in place."""
+    """Move the points of both lips that are beyond the face between them onto it, in place; mark which are near it."""
     left = 0.0
     for turn in range(ROUNDS):
         one = _beyond(reading, upper, reading.over, reading.under) - high - left
         other = _beyond(reading, lower, reading.under, reading.over) - low - left
         moved = _bring_back(here, upper, one, axes)
         moved = _bring_back(here, lower, other, axes) or moved
+        _mark(near, upper, one)
+        _mark(near, lower, other)
         if not moved or turn == ROUNDS - 1:
             break
         left = TOLERATED
-        reading = _read_lips(here, axes, upper, lower)
+        reading = read_lips(here, axes, upper, lower)
+
+
+@compiled
+def _mark(near: BoolArray, lip: Lip, beyond: FloatArray) -> None:
+    """Mark which of all points (n,) are points of a lip that are next to the other one, or may be."""
+    for number, i in enumerate(lip.kept):
+        near[i] = beyond[number] > -NEXT
+    for i in lip.corners:
+        near[i] = True
 
 
 @compiled

@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from facemodel.contact.apart import Lips
 from facemodel.contact.drawn import DrawnSlit, drawn_slit
 from facemodel.contact.frame import axes_between
 from facemodel.contact.laying import COLUMNS, LEAST_SHARE, Reach, column_shares
-from facemodel.contact.lips import Lip, LipPair, Lips
+from facemodel.contact.lips import Lip, LipPair
 from facemodel.contact.spread import spread_of
 from facemodel.contact.teeth import BeforeTeeth, Row
 from facemodel.display import DisplaySurface
@@ -36,6 +37,12 @@ CORNER = (0.7, 0.95)
 FADING = 0.06
 """Share of the depth of what is kept over which it is less and less so."""
 
+TURNS = 2
+"""How often points come out of the teeth and of single triangles of the other lip in turns: each may undo the other."""
+
+SLACK = 0.1
+"""Millimetres of the clearance before the teeth that points may lose in these turns."""
+
 SMALLEST = 1e-6
 """Millimetres of that depth, where there is none."""
 
@@ -56,11 +63,20 @@ class Mouth:
 
     def move(self, here: Float32Array, stance: Stance) -> None:
         """Keep the lips of posed points (n, 3) where they can be, in place."""
-        met = self._teeth.give_way(here, stance)
+        rows = self._teeth.posed(stance)
+        met, close = self._teeth.give_way(here, rows)
+        if met:
+            self._teeth.push(here, rows, close)
         deepest, reading = self._lips.part(here)
-        if (met or deepest > 0) and self._teeth.push(here, stance):
-            reading = None
-        self._lips.keep_apart(here, reading or self._lips.read(here), deepest)
+        if reading is None:
+            close[:] = True  # lips that part go farther than points that come out one by one
+            self._teeth.push(here, rows, close)
+            reading = self._lips.read(here)
+        near = self._lips.keep_apart(here, reading, deepest)
+        for turn in range(TURNS):
+            out = self._teeth.push(here, rows, close, SLACK)
+            if (turn and not out) or not self._lips.bring_out(here, reading.grid, near, deepest):
+                break
 
 
 def _corners() -> FloatArray:
@@ -77,24 +93,35 @@ def lay_lips(face: Face, display: DisplaySurface, reach: Reach = LIPS) -> tuple[
     axes = axes_between(*slit.corners)
     ends = reach.end * axes.along(slit.corners)
     offsets = np.linspace(ends[0], ends[1], COLUMNS)
-    alike = replace(reach, joined=1.0)
+    alike, step = replace(reach, joined=1.0), offsets[1] - offsets[0]
+    beyond = np.concatenate([offsets[:1] - step, offsets, offsets[-1:] + step])
     shares = [
         [
-            slit.spread(lambda *at, of=of, side=side: column_shares(axes, offsets, of, side, *at))
-            for of in (reach, alike)
+            slit.spread(lambda *at, side=side: column_shares(axes, offsets, reach, side, *at)),
+            _folded(slit.spread(lambda *at, side=side: column_shares(axes, beyond, alike, side, *at))),
         ]
         for side in (0, 1)
     ]
     along = axes.along(slit.rest)
     within = np.clip(along / (reach.corner * ends[1] / reach.end), -1, 1)
     deep = reach.kept * np.sqrt(1 - within**ROUNDED)
-    kept, shown = slit.away < deep, slit.away < deep + BESIDE
+    kept, shown, met = slit.away < deep, slit.away < deep + BESIDE, slit.away < reach.kept + BESIDE
+    met &= np.abs(along) < ends[1] / reach.end
     moved = np.any([np.abs(share).max(axis=1) > LEAST_SHARE for _, share in shares], axis=0)
-    rows = np.flatnonzero(moved | kept | shown)
+    rows = np.flatnonzero(moved | kept | met)
     hold = smooth_step((deep - slit.away) / np.maximum(FADING * deep, SMALLEST))
     nearest = np.abs(along[:, None] - offsets).argmin(axis=1)
-    lips = [_lip(slit, display, side, rows, hold, shown, shares[side], nearest) for side in (0, 1)]
+    seen = shown, met, met & (np.abs(along) > CORNER[0] * ends[1] / reach.end)
+    lips = [_lip(slit, display, side, rows, hold, seen, shares[side], nearest) for side in (0, 1)]
     return rows, LipPair(axes, lips[0], lips[1])
+
+
+def _folded(shares: FloatArray) -> FloatArray:
+    """Shares (L, I) of columns of which one more at each end (L, I + 2) goes as the last one: so do the corners."""
+    folded = shares[:, 1:-1].copy()
+    folded[:, 0] += shares[:, 0]
+    folded[:, -1] += shares[:, -1]
+    return folded
 
 
 def _lip(
@@ -103,7 +130,7 @@ def _lip(
     side: int,
     rows: IntArray,
     hold: FloatArray,
-    shown: BoolArray,
+    seen: tuple[BoolArray, BoolArray, BoolArray],
     shares: Sequence[FloatArray],
     nearest: IntArray,
 ) -> Lip:
@@ -112,7 +139,7 @@ def _lip(
     Parameters
     ----------
     hold : (L,) how far live points are kept on their own side, of both sides
-    shown : (L,) which are looked at
+    seen : (L,) which the reliefs are of, which are met one by one, too, and those of them that are in the corners
     shares : (L, I) how much they go with the columns of this side where lips part, and where they go the same way
     nearest : (L,) which column is the nearest
     """
@@ -121,6 +148,7 @@ def _lip(
     mine = slit.upper if side == 0 else ~slit.upper
     live = display.triangles[(display.triangles < display.moving).all(axis=1)] + slit.first
     edge = (slit.edges.upper if side == 0 else slit.edges.lower) + slit.first
+    of_relief, met = (np.ascontiguousarray(number[live[(some & mine)[live].all(axis=1)]]) for some in seen[:2])
     rim = np.stack([edge[:-1], edge[1:]], axis=1)
     points = np.flatnonzero((hold > 0) & mine)
     return Lip(
@@ -129,7 +157,9 @@ def _lip(
         hold[points],
         int(np.searchsorted(points, slit.first)),
         nearest[points],
-        np.ascontiguousarray(number[live[(shown & mine)[live].all(axis=1)]]),
+        of_relief,
+        met,
+        number[seen[2] & mine],
         np.ascontiguousarray(number[rim[(number[rim] >= 0).all(axis=1)]]),
         *(spread_of(np.where(np.abs(share) > LEAST_SHARE, share, 0.0)[rows]) for share in shares),
     )

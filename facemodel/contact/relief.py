@@ -169,7 +169,7 @@ def _lay(
     if sign * twice <= 0.0:
         return
     (first, last), (low, high) = _places(u0, u1, u2, heights.shape[0]), _places(v0, v1, v2, heights.shape[1])
-    back = _averted(u1 - u0, u2 - u0, v1 - v0, v2 - v0, h1 - h0, h2 - h0, grid)
+    back = averted(u1 - u0, u2 - u0, v1 - v0, v2 - v0, h1 - h0, h2 - h0, grid)
     across = ((h1 - h0) * (v2 - v0) - (h2 - h0) * (v1 - v0)) / twice
     on = ((h2 - h0) * (u1 - u0) - (h1 - h0) * (u2 - u0)) / twice
     for i in range(int(first), int(last) + 1):
@@ -182,7 +182,7 @@ def _lay(
 
 
 @compiled
-def _averted(u1: float, u2: float, v1: float, v2: float, h1: float, h2: float, grid: Grid) -> float:
+def averted(u1: float, u2: float, v1: float, v2: float, h1: float, h2: float, grid: Grid) -> float:
     """Millimetres by which a triangle, given by two of its sides in steps of the grid, recedes.
 
     In the corners of an open mouth skin stands upright, and no lip is above another one.

@@ -14,10 +14,16 @@ from facemodel.contact.lips import Lip
 from facemodel.contact.spread import carry
 from facemodel.face import Face
 from facemodel.kinematics import Stance
-from fem.types import Float32Array, FloatArray
+from fem.types import BoolArray, Float32Array, FloatArray
 
 CLEARANCE = 0.4
 """Millimetres between the teeth and the drawn skin of a lip that lies on them."""
+
+WAYS = 2
+"""How often lips give way as a whole: a column goes less than it should where those beside it need not go."""
+
+CLOSE = 6.0
+"""Millimetres from a row of teeth within which points are looked at again; one by one they go less far."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,20 +84,27 @@ class BeforeTeeth:
         bare = [_posed(row, np.eye(4), *(np.zeros(len(lip.kept) - lip.skin) for lip in lips)) for row in rows]
         self._resting = [tuple(_resting_depths(rest, row, lip) for lip in lips) for row in bare]
 
-    def give_way(self, here: Float32Array, stance: Stance) -> bool:
-        """Bring the lips of posed points (n, 3) out of the teeth, in place, each with the skin around it.
-
-        Whether any was in them is returned.
-        """
-        return bool(self._rows) and _give_way(here, self._posed(stance), *self._lips, self._corners)
-
-    def push(self, here: Float32Array, stance: Stance) -> bool:
-        """Bring out every point that is still in the teeth, in place; whether there was any."""
-        return bool(self._rows) and _push(here, self._posed(stance), *self._lips)
-
-    def _posed(self, stance: Stance) -> tuple[PosedRow, ...]:
+    def posed(self, stance: Stance) -> tuple[PosedRow, ...]:
+        """The rows of teeth where they are."""
         rows = zip(self._rows, self._resting, strict=True)
         return tuple(_posed(row, stance.jaw, *resting) for row, resting in rows)
+
+    def give_way(self, here: Float32Array, rows: tuple[PosedRow, ...]) -> tuple[bool, BoolArray]:
+        """Bring the lips of posed points (n, 3) out of the teeth, in place, each with the skin around it.
+
+        Returned are whether any was in them, and which points (r, n) are close to each row.
+        """
+        close = np.ones((len(rows), len(here)), dtype=np.bool_)
+        return bool(rows) and _give_way(here, rows, *self._lips, self._corners, close), close
+
+    def push(self, here: Float32Array, rows: tuple[PosedRow, ...], close: BoolArray, slack: float = 0.0) -> bool:
+        """Bring out points that are still in the teeth by more than some millimetres, in place; whether there were any.
+
+        Parameters
+        ----------
+        close : (r, n) which are looked at; those stay marked that are close to the row
+        """
+        return bool(rows) and _push(here, rows, *self._lips, close, slack)
 
 
 def _posed(row: Row, jaw: FloatArray, upper: FloatArray, lower: FloatArray) -> PosedRow:
@@ -132,18 +145,22 @@ def _resting_depths(rest: Float32Array, row: PosedRow, lip: Lip) -> FloatArray:
 
 
 @compiled
-def _ways(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray, ways: FloatArray) -> bool:
+def _ways(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray, ways: FloatArray, close: BoolArray) -> bool:
     """Write the ways (I, 3) by which the columns of a lip come out of a row of teeth, each as its deepest point does.
 
-    Whether there are any is returned.
+    Of the points (n,) that are looked at those stay marked that are close to it.  Whether there are ways is returned.
     """
     most = np.zeros(len(ways))
     ways[:] = 0.0
     met = False
     for number in range(len(resting)):
         at = lip.skin + number
-        depth, right, front = _depth(here, row, lip.kept[at])
+        i = lip.kept[at]
+        if not close[i]:
+            continue
+        depth, right, front = _depth(here, row, i)
         by, column = lip.hold[at] * (depth - resting[number]), lip.column[at]
+        close[i] = depth > -CLOSE
         if by > most[column]:
             met, most[column] = True, by
             ways[column] = 0.0
@@ -152,18 +169,25 @@ def _ways(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray, ways
 
 
 @compiled
-def _give_way(here: Float32Array, rows: tuple[PosedRow, ...], upper: Lip, lower: Lip, corners: FloatArray) -> bool:
+def _give_way(
+    here: Float32Array, rows: tuple[PosedRow, ...], upper: Lip, lower: Lip, corners: FloatArray, close: BoolArray
+) -> bool:
     """See `BeforeTeeth.give_way`."""
     met = False
     rise, fall = np.empty((len(corners), 3)), np.empty((len(corners), 3))
-    for row in rows:
-        over = _ways(here, row, upper, row.upper, rise)
-        under = _ways(here, row, lower, row.lower, fall)
-        if over or under:
-            met = True
-            _join(rise, fall, corners)
-            carry(here, upper.whole, rise)
-            carry(here, lower.whole, fall)
+    for _ in range(WAYS):
+        again = False
+        for number, row in enumerate(rows):
+            over = _ways(here, row, upper, row.upper, rise, close[number])
+            under = _ways(here, row, lower, row.lower, fall, close[number])
+            if over or under:
+                again = True
+                _join(rise, fall, corners)
+                carry(here, upper.whole, rise)
+                carry(here, lower.whole, fall)
+        if not again:
+            break
+        met = True
     return met
 
 
@@ -178,24 +202,29 @@ def _join(rise: FloatArray, fall: FloatArray, corners: FloatArray) -> None:
 
 
 @compiled
-def _push(here: Float32Array, rows: tuple[PosedRow, ...], upper: Lip, lower: Lip) -> bool:
+def _push(
+    here: Float32Array, rows: tuple[PosedRow, ...], upper: Lip, lower: Lip, close: BoolArray, slack: float
+) -> bool:
     """See `BeforeTeeth.push`."""
     met = False
-    for row in rows:
-        met = _push_lip(here, row, upper, row.upper) or met
-        met = _push_lip(here, row, lower, row.lower) or met
+    for number, row in enumerate(rows):
+        met = _push_lip(here, row, upper, row.upper, close[number], slack) or met
+        met = _push_lip(here, row, lower, row.lower, close[number], slack) or met
     return met
 
 
 @compiled
-def _push_lip(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray) -> bool:
-    """Bring the kept points of the skin of a lip out of a row of teeth, in place; whether any was in them."""
+def _push_lip(here: Float32Array, row: PosedRow, lip: Lip, resting: FloatArray, close: BoolArray, slack: float) -> bool:
+    """Bring the kept points of the skin of a lip that are close out of a row of teeth, in place; whether any was."""
     met = False
     for number in range(len(resting)):
         at = lip.skin + number
-        depth, right, front = _depth(here, row, lip.kept[at])
-        by = lip.hold[at] * (depth - resting[number])
-        if by > 0.0:
-            met = True
-            _go_out(here[lip.kept[at]], row, right, front, by)
+        i = lip.kept[at]
+        if close[i]:
+            depth, right, front = _depth(here, row, i)
+            close[i] = depth > -CLOSE
+            by = lip.hold[at] * (depth - resting[number] - slack)
+            if by > 0.0:
+                met = True
+                _go_out(here[i], row, right, front, by)
     return met

@@ -1,5 +1,7 @@
 """Lips never pass through each other or through the teeth, whatever the sliders do."""
 
+from itertools import islice
+
 import numpy as np
 import pytest
 
@@ -20,6 +22,8 @@ OF_OTHERS = 60
 HAIR = 1e-4
 """Share by which sliders are moved to see that the face does not jump."""
 PRESSING = ("17", "23", "24")
+CRUMPLED = (839, 4077)
+"""Random mixes that purse the full lips of a face until their corners crumple into ridges thinner than the grid."""
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +48,15 @@ def test_random_mixes_of_sliders_keep_lips_out_of_each_other_and_the_teeth(proje
 def test_so_they_do_on_faces_with_thin_and_with_full_lips(key: str) -> None:
     project = new_project(key)
     assert depths_in(project, solve_cached(project).basis, OF_OTHERS).max() < DEEPEST
+
+
+def test_ridges_of_crumpled_corners_that_are_thinner_than_the_grid_stay_out_of_the_other_lip() -> None:
+    project = new_project("dayo")
+    basis = solve_cached(project).basis
+    depths, posed = MouthDepths(project.face, basis), Superposition(project.face, basis)
+    for number in CRUMPLED:
+        posed.pose(next(islice(random_mixes(basis.names, number + 1), number, None)))
+        assert depths.in_each_other(posed) < NOTHING_SEEN
 
 
 def test_lips_and_lids_never_jump_while_sliders_are_dragged(face: Face, basis: Basis) -> None:
