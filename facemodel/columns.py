@@ -11,9 +11,8 @@ import numpy as np
 from facemodel.displaced import MEMBRANE, displaced_columns, displaces
 from facemodel.face import Face
 from facemodel.jaw.leading import lead_skin
-from facemodel.jaw.modes import JawMode, mode_motion
+from facemodel.jaw.modes import JawMode
 from facemodel.loads import bone_forces, jaw_forces
-from facemodel.mesh import Mesh
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import MODELS, muscle_action
 from facemodel.project import Project
@@ -21,7 +20,6 @@ from facemodel.sameness import Kept, same
 from facemodel.sources import Source, acting
 from facemodel.system import HeldFace
 from facemodel.tissue import tissue_stiffness
-from facemodel.volume import bone_volume
 from fem import SmoothInterpolation
 from fem.types import FloatArray
 
@@ -39,8 +37,8 @@ class Column:
 
     Attributes
     ----------
-    action : (n, 3) force per area at the vertices of the region, N/mm^2, and for moving bone and breath in a fourth
-        column the volume per area that it puts under the skin, millimetres; of a muscle that displaces, (N, 3)
+    action : (n, 3) force per area at the vertices of the region, N/mm^2, and for breath in a fourth column the
+        volume per area that it puts under the skin, millimetres; of a muscle that displaces, (N, 3)
         displacement of the skin's vertices, millimetres
     coefficients : (n_dofs, 3) of the displacement of the region
     """
@@ -154,10 +152,14 @@ SOFTEST = 1e-6
 
 
 def jaw_columns(modes: Sequence[JawMode], face: Face, held: HeldFace) -> dict[Source, Column]:
-    """What whole modes of the jaw do to the skin: the pull of tissue, and the forces that lead lips and chin along."""
+    """What whole modes of the jaw do to the skin: the pull of tissue, and the forces that lead lips and chin along.
+
+    Its tissue yields to them (see `HeldFace.yielding`).
+    """
     if not modes:
         return {}
-    led = lead_skin(face, held, modes, [jaw_action(face, mode, held) for mode in modes])
+    giving = held.yielding
+    led = lead_skin(face, giving, modes, [jaw_action(face, mode, giving) for mode in modes])
     return {
         mode: Column(led.actions[number], np.ascontiguousarray(led.coefficients[..., number]))
         for number, mode in enumerate(modes)
@@ -165,27 +167,14 @@ def jaw_columns(modes: Sequence[JawMode], face: Face, held: HeldFace) -> dict[So
 
 
 def jaw_action(face: Face, mode: JawMode, held: HeldFace) -> FloatArray:
-    """How a mode of the jaw acts on the skin (n, 3 or 4): the pull of the springs, and the volume that bone brings."""
-    tissue, region = held.tissue, held.surfaces.region
-    pull = jaw_forces(face, mode, tissue.springs, tissue.anchors, tissue.jawbone)
-    if not tissue.keeps_volume:
-        return pull
-    anchors, share = face.skull.anchors[region.vertices], face.skull.jawbone[region.vertices]
-    skin = Mesh(region.assembler.surface.positions, region.assembler.surface.triangles)
-    moved = share[:, None] * mode_motion(face.skull.jaw, mode, anchors)
-    return np.column_stack([pull, bone_volume(skin, tissue.volume.thickness, moved)])
-
-
-def actions_of(
-    sources: Sequence[Source], muscles: Mapping[str, Muscle], face: Face, held: HeldFace
-) -> dict[Source, FloatArray]:
-    """What each source does to the skin at activation 1, as `Column.action` has it."""
-    of_jaw = jaw_columns([source for source in sources if isinstance(source, JawMode)], face, held)
-    return {
-        s: of_jaw[s].action if isinstance(s, JawMode) else muscle_action_of(muscles[s], face, held) for s in sources
-    }
+    """Force per area (n, 3) with which the springs pull the skin along with a mode of the jaw."""
+    tissue = held.tissue
+    return jaw_forces(face, mode, tissue.springs, tissue.anchors, tissue.jawbone)
 
 
 def _jaw_made_from(modes: tuple[JawMode, ...], face: Face, held: HeldFace) -> tuple[Any, ...]:
-    """All that `jaw_columns` depends on."""
-    return modes, held.system, held.tissue, face.skull.jaw, face.skin.positions, face.skin.triangles, face.landmarks
+    """All that `jaw_columns` depends on; how well tissue keeps its volume is none of it."""
+    tissue, skin = held.tissue, face.skin
+    pulling = held.surfaces.region.assembler, held.skin.element_matrices, held.supports
+    pulled = tissue.springs, tissue.anchors, tissue.jawbone
+    return modes, *pulling, *pulled, face.skull.jaw, skin.positions, skin.triangles, face.landmarks

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from facemodel.basis import Basis
-from facemodel.columns import actions_of, displacing
+from facemodel.columns import displacing, jaw_columns, muscle_action_of
 from facemodel.fields import face_sampler, jaw_table
+from facemodel.jaw.modes import JawMode
 from facemodel.project import Project
 from facemodel.sampling import ELEMENTS, HeadSurface, SolvedRegion
 from facemodel.solution import Cancelled, Clock, Progress, Solution, silent
@@ -75,17 +76,22 @@ def face_system(project: Project) -> FaceSystem:
     tissue, supports = face_tissue(face, vertices), face_supports(face, vertices)
     stiffness = stiffened(None, assembler, face_material(face, vertices)).stiffness
     system = held_system(surfaces, supports, stiffness, tissue_coupling(tissue, assembler))
-    held = HeldFace(surfaces, tissue, supports, system)
+    held = HeldFace(surfaces, tissue, supports, stiffness, system)
     made_of = recipes(project)
     muscles = {muscle.key: muscle for muscle in project.muscles}
     sources = dict.fromkeys(source for recipe in made_of.values() for source, _ in recipe)
-    known = actions_of(tuple(sources), muscles, face, held)
+    jaw = jaw_columns([source for source in sources if isinstance(source, JawMode)], face, held)
+    known = {s: jaw[s].action if s in jaw else muscle_action_of(muscles[str(s)], face, held) for s in sources}
     acting = np.zeros((len(made_of), len(vertices), 4))
-    for total, recipe in zip(acting, made_of.values(), strict=True):
+    opened = np.zeros((assembler.dofs.n_dofs, 3, len(made_of)))
+    for number, recipe in enumerate(made_of.values()):
         for source, weight in recipe:
             if not displacing(source, muscles):
-                total[:, : known[source].shape[1]] += weight * known[source]
-    return FaceSystem(surfaces.head, region, system, tuple(made_of), held.consistent_loads(list(acting)))
+                acting[number, :, : known[source].shape[1]] += weight * known[source]
+            if source in jaw:
+                opened[..., number] += weight * jaw[source].coefficients
+    loads = held.consistent_loads(list(acting)) + held.room(opened)
+    return FaceSystem(surfaces.head, region, system, tuple(made_of), loads)
 
 
 def sampled_basis(project: Project, assembled: FaceSystem, fields: FloatArray) -> Basis:

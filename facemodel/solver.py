@@ -161,7 +161,7 @@ class FaceSolver:
         self.work = replace(self.work, triangles=len(stiff.touched))
         system = self._system.get((assembler, material, *tissue.stiff, supports), factorised)
         clock.lap("factorisation")
-        return HeldFace(surfaces, tissue, supports, system)
+        return HeldFace(surfaces, tissue, supports, stiff.stiffness, system)
 
     def _tissue_of(self, face: Face, assembler: Assembler, vertices: IntArray) -> Tissue:
         skull, layers = face.skull, face.layers

@@ -103,12 +103,14 @@ class HeldFace:
     Attributes
     ----------
     surfaces, tissue, supports : of the face
-    system : its stiffness, springs and supports
+    skin : its stiffness
+    system : of skin, tissue and supports
     """
 
     surfaces: Surfaces
     tissue: Tissue
     supports: Supports
+    skin: Stiffness
     system: SurfaceSystem
 
     def consistent_loads(self, actions: Sequence[FloatArray]) -> FloatArray:
@@ -126,6 +128,38 @@ class HeldFace:
             if action.shape[1] > 3 and self.tissue.keeps_volume:
                 loads[:, :, number] += (self._volume_loads @ action[:, 3]).reshape(-1, 3)
         return loads
+
+    @cached_property
+    def yielding(self) -> HeldFace:
+        """The same face whose tissue keeps no volume, factorised.
+
+        A muscle gathers the tissue over bone that stays, and it bulges.  Over a jaw that opens by a hand's breadth
+        the same tissue lies on no bone any more but on the lining of cheek and lip, which is drawn long with the
+        skin, while the mouth gives it all the room it wants; and bone that turns by 30 degrees sweeps a volume that
+        means nothing to first order.
+
+        Raises
+        ------
+        FaceError
+            If the springs alone leave part of the face loose.
+        """
+        if not self.tissue.keeps_volume:
+            return self
+        layer = self.tissue.volume
+        tissue = replace(self.tissue, volume=VolumeLayer(np.zeros_like(layer.stiffness), layer.thickness))
+        coupling = tissue_coupling(tissue, self.surfaces.region.assembler)
+        system = factorise(held_system(self.surfaces, self.supports, self.skin, coupling), self.surfaces)
+        return HeldFace(self.surfaces, tissue, self.supports, self.skin, system)
+
+    def room(self, coefficients: FloatArray) -> FloatArray:
+        """Loads (n_dofs, 3, M) that give the tissue the room by which displacements (n_dofs, 3, M) change its volume.
+
+        Under them beside its own loads the face goes where it would if its tissue were `yielding`.
+        """
+        if not self.tissue.keeps_volume:
+            return np.zeros_like(coefficients)
+        layer = self.tissue.volume.coupling(self.surfaces.region.assembler)
+        return np.asarray(layer @ coefficients.reshape(layer.shape[0], -1)).reshape(coefficients.shape)
 
     @cached_property
     def _volume_loads(self) -> csr_array:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from scipy.sparse import csc_array
@@ -66,7 +67,12 @@ class Assembled:
         volume = tissue.volume.coupling(region.assembler) if tissue.keeps_volume else None
         coupling = springs if volume is None else csc_array(springs + volume)
         system = factorise(held_system(surfaces, supports, skin.stiffness, coupling), surfaces)
-        return cls(face, skin, springs, volume, HeldFace(surfaces, tissue, supports, system))
+        return cls(face, skin, springs, volume, HeldFace(surfaces, tissue, supports, skin.stiffness, system))
+
+    @cached_property
+    def yielding(self) -> Assembled:
+        """The same face whose tissue keeps no volume, as it gives way to the jaw."""
+        return Assembled(keeping_no_volume(self.face), self.skin, self.springs, None, self.held.yielding)
 
     def resisted(self, face: Face, fields: FloatArray) -> FloatArray:
         """Loads (n_dofs, 3, M) that fields of such coefficients need beyond those of now where the tissue is another.
@@ -93,11 +99,13 @@ class Assembled:
     def pushed(self, face: Face, sources: Collection[Source]) -> dict[Source, FloatArray]:
         """Loads (n_dofs, 3) of sources beyond those of now where the tissue is another: bone pulls by its springs.
 
+        The jaw's are those on tissue that keeps no volume.
+
         The forces that lead the lips along with the jaw stay as they are, which is true to first order in the cheeks
         and chin.
         """
         now, region = self.held, self.held.surfaces.region
-        there = HeldFace(now.surfaces, face_tissue(face, region.vertices), now.supports, now.system)
+        there = HeldFace(now.surfaces, face_tissue(face, region.vertices), now.supports, now.skin, now.system)
         # The operator of the volume's loads is costly, and that of now does where the layer is the same.
         loading = now if same(there.tissue.volume, now.tissue.volume) else there
         return {
@@ -106,6 +114,11 @@ class Assembled:
             for source in sources
             if isinstance(source, JawMode) or MODELS[source.model].inflates
         }
+
+
+def keeping_no_volume(face: Face) -> Face:
+    """A face whose tissue keeps none of its volume."""
+    return replace(face, layers=replace(face.layers, volume=np.zeros_like(face.layers.volume)))
 
 
 def _acting(source: Source, face: Face, held: HeldFace) -> FloatArray:

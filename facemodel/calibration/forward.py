@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from itertools import groupby
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from facemodel.actions import JawMotion
 from facemodel.anatomy.muscles import make_muscles
 from facemodel.anatomy.paint import Canvas, head_margins, paint
 from facemodel.anatomy.recipe import Anatomy, Tissue
-from facemodel.calibration.assembled import Assembled, Source
+from facemodel.calibration.assembled import Assembled, Source, keeping_no_volume
 from facemodel.calibration.lending import Lent
 from facemodel.columns import CHUNK, Told, jaw_columns, muscle_action_of
 from facemodel.face import Face, Layers
@@ -130,6 +131,13 @@ class Forward:
     def changes(self, tissue: Tissue, other: Tissue, mixtures: Sequence[Mixture]) -> list[FloatArray]:
         """Displacement (N, 3) that mixtures gain by another tissue, to first order in what the tissue differs by."""
         here, face = self.assembled(tissue), self.dressed(other)
+        gained: list[FloatArray] = []
+        for opens, run in groupby(mixtures, lambda mixture: mixture.opens):
+            now, then = (here.yielding, keeping_no_volume(face)) if opens else (here, face)
+            gained += self._gained(now, then, list(run))
+        return gained
+
+    def _gained(self, here: Assembled, face: Face, mixtures: Sequence[Mixture]) -> list[FloatArray]:
         pushed = here.pushed(face, {source for mixture in mixtures for source in mixture.sources})
         loads = -here.resisted(face, np.concatenate([mixture.field for mixture in mixtures], axis=2))
         for number, mixture in enumerate(mixtures):
@@ -170,6 +178,11 @@ class Mixture:
 
     sources: Mapping[Source, float]
     field: FloatArray
+
+    @property
+    def opens(self) -> bool:
+        """Whether the jaw moves it; no unit of the jaw has muscles beside it."""
+        return any(isinstance(source, JawMode) for source in self.sources)
 
 
 def _solved(here: Assembled, muscles: Sequence[Muscle]) -> FloatArray:

@@ -5,7 +5,8 @@ the maxilla, and the skin of the chin goes with the bone to which mentalis and t
 membrane with a hole in it knows none of this, drags both lips along with the cheeks and lets the chin lag.  Choe, Lee
 and Ko 2001 add heuristic forces about the lips for that.  Here places of lips and chin are told how far of the bone's
 way they go, as it was measured on scanned faces, and the forces that bring them there are solved for, from the face's
-own stiffness: a few smooth patches, so that they stay small and leave no mark.
+own stiffness: a few smooth patches, whose forces do as little work on the skin as brings the places near to where they
+are to go.  Asked to bring them there to the hair, neighbours would pull against each other, and the cheek pay for it.
 """
 
 from __future__ import annotations
@@ -22,8 +23,8 @@ from facemodel.openings import mouth_of
 from facemodel.system import HeldFace
 from fem.types import FloatArray
 
-WEAKEST = 1e-4
-"""Share of the largest singular value below which a direction counts as held: no force is spent on it."""
+SLIGHT = 1e-12
+"""Share of the mean work of a force that is added to all, so that forces which do the same are told apart."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,18 +62,38 @@ def lead_skin(face: Face, held: HeldFace, modes: Sequence[JawMode], acting: Sequ
         return LedSkin(tuple(acting), held.system.solve(held.consistent_loads(acting)))
     patches, led = _patches(stations)
     count, values = len(patches), held.surfaces.region.assembler.dofs.value_dofs
-    solved = held.system.solve(held.consistent_loads([*patches, *acting]))
+    loads = held.consistent_loads([*patches, *acting])
+    solved = held.system.solve(loads)
     margins = np.array([station.place for station in stations])
     reached = np.einsum("sn,nck->sck", margins, solved[values]).reshape(-1, count + len(acting))[led]
     moved = [mode_motion(face.skull.jaw, mode, face.skin.positions[vertices]) for mode in modes]
     wanted = np.array([[station.wanted(each) for each in moved] for station in stations])
     there = np.moveaxis(wanted, 2, 1).reshape(-1, len(modes))[led]
-    amounts = np.linalg.lstsq(reached[:, :count], there - reached[:, count:], rcond=WEAKEST)[0]
+    work = np.einsum("nck,ncl->kl", loads[..., :count], solved[..., :count])
+    pull = np.array([station.pull for station in stations for _ in station.axes])[:, None]
+    amounts = _least_work(work, reached[:, :count], there - reached[:, count:], pull)
     pushes = np.einsum("km,knc->mnc", amounts, patches)
     return LedSkin(
         tuple(_pushed(own, push) for own, push in zip(acting, pushes, strict=True)),
         solved[..., count:] + solved[..., :count] @ amounts,
     )
+
+
+def _least_work(work: FloatArray, reached: FloatArray, missing: FloatArray, pull: FloatArray) -> FloatArray:
+    """How much (F, M) of each force brings places near to where they are to go.
+
+    It is the x of least x . G x + (A x - b) . k (A x - b).
+
+    Parameters
+    ----------
+    work : (F, F) G, that of every force on the way that every other one goes, N mm
+    reached : (F, F) A, how far every force brings the coordinates that are led, millimetres
+    missing : (F, M) b, how far they are off without any, millimetres
+    pull : (F, 1) k of each coordinate, N/mm
+    """
+    count = len(work)
+    kept = (work + work.T) / 2 + SLIGHT * np.trace(work) / count * np.eye(count)
+    return np.linalg.solve(kept + reached.T @ (pull * reached), reached.T @ (pull * missing))
 
 
 def _patches(stations: Sequence[Station]) -> tuple[FloatArray, list[int]]:
