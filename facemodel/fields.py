@@ -39,13 +39,17 @@ class FieldSampler:
         """Scalar degrees of freedom of the region."""
         return int(self.operators.value.shape[1])
 
+    def at_vertices(self, coefficients: FloatArray) -> FloatArray:
+        """How far (N, k) the vertices of the whole skin move by coefficients (n_dofs, k)."""
+        moved = np.zeros((len(self.face.skin.positions), coefficients.shape[1]))
+        moved[self.vertices] = coefficients[self.value_dofs]
+        return moved
+
     def rows(self, coefficients: FloatArray) -> tuple[Float32Array, Float32Array]:
         """The rows of `Basis.fields` and `Basis.slopes` of fields given as coefficients (n_dofs, 3, M)."""
         count = coefficients.shape[2]
         flat = coefficients.reshape(len(coefficients), 3 * count)
-        at_vertices = np.zeros((len(self.face.skin.positions), 3 * count))
-        at_vertices[self.vertices] = flat[self.value_dofs]
-        moved = np.concatenate([carried_points(self.face, at_vertices), self.operators.value @ flat])
+        moved = np.concatenate([carried_points(self.face, self.at_vertices(flat)), self.operators.value @ flat])
         d_u, d_v = self.operators.d_u @ flat, self.operators.d_v @ flat
         return _points(moved, count), np.concatenate([_planes(d_u, count), _planes(d_v, count)], axis=1)
 

@@ -15,6 +15,7 @@ from facemodel.errors import FaceError
 from facemodel.face import Face, Jaw
 from facemodel.fields import FieldSampler, face_sampler, jaw_table
 from facemodel.jaw.arc import JawArc
+from facemodel.jaw.lining import Lining, carry_lining, lining_of
 from facemodel.jaw.modes import JawMode
 from facemodel.mesh import Mesh
 from facemodel.project import Project
@@ -98,6 +99,7 @@ class FaceSolver:
         self._system: Kept[SurfaceSystem] = Kept()
         self._columns = Columns()
         self._sampler: Kept[FieldSampler] = Kept()
+        self._lining: Kept[Lining | None] = Kept()
         self._figures: Kept[ChartFigures] = Kept()
         self._rows: _Rows | None = None
 
@@ -196,6 +198,8 @@ class FaceSolver:
         if last is not None and not fresh and tuple(mixes) == tuple(last.mixes) and same(turning, last.turning):
             return last.basis
         sampled = sampler.rows(_mixed([mixes[name] for name in fresh], sampler.unknowns))
+        moved = {mode: sampler.at_vertices(self._columns[mode].coefficients) for mode in modes}
+        carry_lining(sampled[0], [whole[name] for name in fresh], self._lining_of(project.face), moved)
         rows = []
         for new, kept in zip(sampled, (last.fields, last.slopes) if last else sampled, strict=True):
             row = np.empty((len(mixes), new.shape[1]), dtype=np.float32)
@@ -213,6 +217,9 @@ class FaceSolver:
         carried = tuple((p.name, p.anchors, p.shares, p.mesh) for p in face.parts if p.carrier == "skin")
         made_from = (surfaces.region.assembler, density, carried)
         return self._sampler.get(made_from, lambda: face_sampler(face, surfaces.head, surfaces.region, density))
+
+    def _lining_of(self, face: Face) -> Lining | None:
+        return self._lining.get((face.parts, face.skin, face.skull.jaw), lambda: lining_of(face))
 
     def _figures_of(self, face: Face) -> ChartFigures:
         made_from = (face.skin.positions, face.skin.triangles, face.solved, face.chart)

@@ -37,7 +37,8 @@ def test_the_kept_single_precision_fields_superpose_as_well(
     weights = np.random.default_rng(7).uniform(0.0, 1.0, len(basis.names))
     total = assembled.system.solve((assembled.loads @ weights)[..., None])
     at_once = sampled_basis(project, replace(assembled, names=("sum",)), total)
-    for kept, solved in ((basis.fields, at_once.fields), (basis.slopes, at_once.slopes)):
+    skin = slice(3 * sum(count for _, count in basis.display.carried), None)
+    for kept, solved in ((basis.fields[:, skin], at_once.fields[:, skin]), (basis.slopes, at_once.slopes)):
         assert relative(weights @ kept.astype(np.float64), solved[0].astype(np.float64)) < 1e-6
 
 
