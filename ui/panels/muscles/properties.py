@@ -20,8 +20,8 @@ from ui.widgets.number_bar import NumberBar
 from ui.widgets.plain_label import PlainLabel
 
 LAY = (
-    "take the fibre tool (N), press on the skull and drag to the skin; or take the ring tool (Shift+N) and draw a "
-    "sphincter on the skin."
+    "take the fibre tool (N), press on the skull and drag to the skin; the ring tool (Shift+N) draws a "
+    "sphincter on the skin, the fold tool (Shift+F) a line along which it creases."
 )
 SELECT = f"Select a muscle here or on the face. To lay a new one {LAY}"
 BEGIN = f"This head has no muscles yet. To lay one {LAY} Or fit those of another head: the plus sign has them."
