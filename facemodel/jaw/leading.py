@@ -33,7 +33,7 @@ class LedSkin:
 
     Attributes
     ----------
-    actions : M of (n, 3) force per area on the region's vertices, N/mm^2, and the rest of what was given
+    actions : M of (n, 3) force per area on the region's vertices, N/mm^2
     coefficients : (n_dofs, 3, M) of the displacement of the region
     """
 
@@ -49,8 +49,7 @@ def lead_skin(face: Face, held: HeldFace, modes: Sequence[JawMode], acting: Sequ
     face : whose jaw moves; lips without a slit between them, and a chin without landmarks, follow the tissue alone
     held : its factorised system
     modes : M of them
-    acting : M of (n, 3) force per area with which the tissue alone pulls in each mode, N/mm^2; a fourth column is
-        the volume per area that bone brings under the skin, millimetres
+    acting : M of (n, 3) force per area with which the tissue alone pulls in each mode, N/mm^2
     """
     mouth = mouth_of(face)
     vertices = held.surfaces.region.vertices
@@ -74,7 +73,7 @@ def lead_skin(face: Face, held: HeldFace, modes: Sequence[JawMode], acting: Sequ
     amounts = _least_work(work, reached[:, :count], there - reached[:, count:], pull)
     pushes = np.einsum("km,knc->mnc", amounts, patches)
     return LedSkin(
-        tuple(_pushed(own, push) for own, push in zip(acting, pushes, strict=True)),
+        tuple(own + push for own, push in zip(acting, pushes, strict=True)),
         solved[..., count:] + solved[..., :count] @ amounts,
     )
 
@@ -101,8 +100,3 @@ def _patches(stations: Sequence[Station]) -> tuple[FloatArray, list[int]]:
     made = [station.patch[:, None] * np.eye(3)[axis] for station in stations for axis in station.axes]
     led = [3 * number + axis for number, station in enumerate(stations) for axis in station.axes]
     return np.array(made), led
-
-
-def _pushed(action: FloatArray, push: FloatArray) -> FloatArray:
-    """An action with further forces (n, 3)."""
-    return np.column_stack([action[:, :3] + push, action[:, 3:]])
