@@ -63,7 +63,5 @@ def arrows(muscle: Muscle, face: Face) -> Arrows:
 
 
 def side_by_side(muscle: Muscle) -> Mapping[Model, Muscle]:
-    """The same muscle under every model that works on what it is made of, where it lies."""
-    lies = MODELS[muscle.model].along_skin
-    fitting = [model for model in comparable_models(muscle) if MODELS[model].along_skin == lies]
-    return {model: replace(muscle, model=model) for model in fitting}
+    """The same muscle under every model that can work on what it is made of."""
+    return {model: replace(muscle, model=model) for model in comparable_models(muscle)}

@@ -170,6 +170,7 @@ def muscle_forces(muscle: Muscle, face: Face) -> FloatArray:
 
 
 def comparable_models(muscle: Muscle) -> tuple[Model, ...]:
-    """The models that can work on what a muscle is made of, in the order of the table."""
+    """The models that can work on what a muscle is made of, where it lies, in the order of the table."""
     has = {"fibres": bool(muscle.fibres), "ring": muscle.ring is not None, "skull": muscle.model == "jaw"}
-    return tuple(name for name, model in MODELS.items() if has[model.geometry])
+    lies = MODELS[muscle.model].along_skin
+    return tuple(name for name, model in MODELS.items() if has[model.geometry] and model.along_skin == lies)

@@ -226,7 +226,7 @@ print(m.get("cosine.share"))
         document,
     )
     assert outcome.error == ""
-    assert outcome.output == "True 0.5 ['cosine', 'fibre', 'fold', 'quadrilateral'] False\n0.3\n"
+    assert outcome.output == "True 0.5 ['cosine', 'fibre', 'quadrilateral'] False\n0.3\n"
     assert muscle_of(document.project, "zygomaticus_major_R").model == "fibre"
 
 

@@ -20,8 +20,8 @@ PURSING = (17, 18, 22, 34)
 TOGETHER = 0.5
 """Millimetres that lips may come apart by in the middle of the sum: less than they lie on each other at rest."""
 
-PARTED = 8.0
-"""Millimetres beyond which a funnel would be a gape with both rows of teeth bare."""
+PARTED = 10.5
+"""Millimetres beyond which a funnel would be a gape: that which an artist sculpted parts the lips by ten."""
 
 FORWARD, INWARD = 3.5, 5.0
 """Millimetres that pushed lips come forward at least, and corners of a pursed mouth inward; of some 12 in all."""
