@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from facemodel.contact.aside import bring_aside, corners_of, depths_aside
 from facemodel.contact.lips import (
     LipPair,
     LipReading,
@@ -38,6 +39,8 @@ class Lips:
             depths(reading.points, reading.grid, pair.upper, pair.lower, near),
             depths(reading.points, reading.grid, pair.lower, pair.upper, near),
         )
+        self._corners = corners_of(pair, rest)
+        self._behind = depths_aside(rest, pair.axes, self._corners)
 
     def part(self, here: Float32Array) -> tuple[float, LipReading | None]:
         """Part the lips of posed points (n, 3) as wholes, in place.
@@ -80,8 +83,23 @@ class Lips:
         high, low = _still(self._deep, deepest)
         return bring_out(here, pair.axes, grid, pair.upper, pair.lower, near, high, low)
 
+    def bring_aside(self, here: Float32Array, near: BoolArray, deepest: float) -> None:
+        """Bring points in the corners that are right behind skin of the other lip back to it, in place.
+
+        Parameters
+        ----------
+        near : (n,) which are next to the other lip
+        deepest : how far the lips were in each other before they were parted
+        """
+        bring_aside(here, self._pair.axes, self._corners, near, _left(deepest) * self._behind)
+
+
+def _left(deepest: float) -> float:
+    """The share that is left of how points rest when lips were so deep in each other."""
+    return 1 - min(deepest / PRESSED, 1.0)
+
 
 def _still(resting: tuple[FloatArray, FloatArray], deepest: float) -> tuple[FloatArray, FloatArray]:
     """What is left of how points rest when lips were so deep in each other."""
-    share = 1 - min(deepest / PRESSED, 1.0)
+    share = _left(deepest)
     return share * resting[0], share * resting[1]

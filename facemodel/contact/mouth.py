@@ -77,6 +77,7 @@ class Mouth:
             out = self._teeth.push(here, rows, close, SLACK)
             if (turn and not out) or not self._lips.bring_out(here, reading.grid, near, deepest):
                 break
+        self._lips.bring_aside(here, near, deepest)
 
 
 def _corners() -> FloatArray:

@@ -25,6 +25,9 @@ PRESSING = ("17", "23", "24")
 CRUMPLED = (839, 4077)
 """Random mixes that purse the full lips of a face until their corners crumple into ridges thinner than the grid."""
 
+UPRIGHT = (7509, 5057, 8643)
+"""Random mixes that put the lower lip of that face behind skin of the upper one that stands upright in its corners."""
+
 
 @pytest.fixture(scope="module")
 def depths(face: Face, basis: Basis) -> MouthDepths:
@@ -50,13 +53,14 @@ def test_so_they_do_on_faces_with_thin_and_with_full_lips(key: str) -> None:
     assert depths_in(project, solve_cached(project).basis, OF_OTHERS).max() < DEEPEST
 
 
-def test_ridges_of_crumpled_corners_that_are_thinner_than_the_grid_stay_out_of_the_other_lip() -> None:
+@pytest.mark.parametrize(("numbers", "limit"), [(CRUMPLED, NOTHING_SEEN), (UPRIGHT, DEEPEST)])
+def test_crumpled_corners_stay_out_of_the_other_lip(numbers: tuple[int, ...], limit: float) -> None:
     project = new_project("dayo")
     basis = solve_cached(project).basis
     depths, posed = MouthDepths(project.face, basis), Superposition(project.face, basis)
-    for number in CRUMPLED:
+    for number in numbers:
         posed.pose(next(islice(random_mixes(basis.names, number + 1), number, None)))
-        assert depths.in_each_other(posed) < NOTHING_SEEN
+        assert depths.in_each_other(posed) < limit
 
 
 def test_lips_and_lids_never_jump_while_sliders_are_dragged(face: Face, basis: Basis) -> None:
