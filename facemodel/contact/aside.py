@@ -23,14 +23,15 @@ CORNER, END = (0.8, 0.87), (0.94, 0.97)
 CLOSE = (1.2, 1.8)
 """Millimetres from the other lip at rest up to which points get behind it, and from where on none does."""
 
-AROUND = 1.0
+AROUND = 1.7
 """Millimetres from such points at rest within which skin of the other lip may be the nearest to them."""
 
 RIDGE = REACH / 2
 """Millimetres that skin gets behind other skin so at most; what is twice as deep is behind a whole lip, not in it."""
 
-WITHIN = 3.0
-"""How many times sooner than at the end of its first triangle skin counts entirely, from the border of a lip on."""
+WITHIN = 10.0
+"""How many times sooner than at the end of its first triangle skin counts entirely, from the border of a lip on: in the
+corners lips end at each other, and a point gets behind the last triangle before."""
 
 SMALLEST = 1.0
 """Millimetres of half a mouth that has no lips to meet."""
