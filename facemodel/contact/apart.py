@@ -70,8 +70,8 @@ class Lips:
         bring_apart(here, pair.axes, pair.upper, pair.lower, reading, high, low, near)
         return near
 
-    def bring_out(self, here: Float32Array, grid: Grid, near: BoolArray, deepest: float) -> bool:
-        """Bring points that are in a triangle of the other lip out of it, in place; whether any was.
+    def bring_out(self, here: Float32Array, grid: Grid, near: BoolArray, deepest: float) -> float:
+        """Bring points that are in a triangle of the other lip out of it, in place; how far one went at most.
 
         Parameters
         ----------

@@ -40,6 +40,10 @@ FADING = 0.06
 TURNS = 2
 """How often points come out of the teeth and of single triangles of the other lip in turns: each may undo the other."""
 
+FAR = 0.2
+"""Millimetres that a point comes out of a triangle from which on there is another turn: it takes that lip's triangles
+along, and others may stand in them."""
+
 SLACK = 0.1
 """Millimetres of the clearance before the teeth that points may lose in these turns."""
 
@@ -73,9 +77,12 @@ class Mouth:
             self._teeth.push(here, rows, close)
             reading = self._lips.read(here)
         near = self._lips.keep_apart(here, reading, deepest)
-        for turn in range(TURNS):
-            out = self._teeth.push(here, rows, close, SLACK)
-            if (turn and not out) or not self._lips.bring_out(here, reading.grid, near, deepest):
+        far = FAR
+        for _ in range(TURNS):
+            if not self._teeth.push(here, rows, close, SLACK) and far < FAR:
+                break
+            far = self._lips.bring_out(here, reading.grid, near, deepest)
+            if not far:
                 break
         self._lips.bring_aside(here, near, deepest)
 

@@ -21,6 +21,9 @@ BESIDE = 0.2
 RIDGE = 1.0
 """Millimetres that a ridge stands out at most; what is twice as deep is no ridge, but other skin that turns back."""
 
+SHORTEST = 1e-12
+"""Square millimetres of an edge that has no length."""
+
 LEFT = 0.04
 """Millimetres that are left as they are; less than the skin between the lips."""
 
@@ -35,8 +38,10 @@ def bring_out(
     near: BoolArray,
     high: FloatArray,
     low: FloatArray,
-) -> bool:
-    """Bring the points of both lips that are near out of triangles of the other one, in place; whether any was in them.
+) -> float:
+    """Bring the points of both lips that are near out of triangles of the other one, in place.
+
+    Returned is how far one of them went at most.
 
     Once the upper lip is out of the lower one, it stays so while that one comes out of it: they only move apart.
 
@@ -50,8 +55,8 @@ def bring_out(
     places = np.empty((len(here), 3))
     place_points(here, axes.middle, axes.axes, places)
     points = on_grid(places, grid)
-    moved = _bring_out(here, axes, points, grid, upper, lower, near, high)
-    return _bring_out(here, axes, points, grid, lower, upper, near, low) or moved
+    far = _bring_out(here, axes, points, grid, upper, lower, near, high)
+    return max(_bring_out(here, axes, points, grid, lower, upper, near, low), far)
 
 
 @compiled
@@ -64,18 +69,18 @@ def _bring_out(
     other: Lip,
     near: BoolArray,
     spared: FloatArray,
-) -> bool:
+) -> float:
     """The same for one of them; the points on the grid go with it."""
     deep = depths(points, grid, lip, other, near)
-    moved = False
+    farthest = 0.0
     for number, i in enumerate(lip.kept):
         by = lip.hold[number] * (deep[number] - spared[number] - LEFT)
         if by > 0.0:
-            moved = True
+            farthest = max(farthest, by)
             points.height[i] += lip.sign * by
             for axis in range(3):
                 here[i, axis] += lip.sign * by * axes.axes[1, axis]
-    return moved
+    return farthest
 
 
 @compiled
@@ -128,12 +133,34 @@ def _depth(points: OnGrid, i: int, a: int, b: int, c: int, twice: float, grid: G
     """How far a point is in a triangle of the other lip, straight up or down, or in the slope beside it."""
     u, v, h = points.u, points.v, points.height
     u1, u2, v1, v2, x, y = u[b] - u[a], u[c] - u[a], v[b] - v[a], v[c] - v[a], u[i] - u[a], v[i] - v[a]
-    one, two = max((x * v2 - u2 * y) / twice, 0.0), max((u1 * y - x * v1) / twice, 0.0)
-    none = max(1.0 - one - two, 0.0)
-    total = one + two + none
-    one, two = one / total, two / total
+    one, two = (x * v2 - u2 * y) / twice, (u1 * y - x * v1) / twice
+    if min(one, two, 1.0 - one - two) < 0.0:
+        one, two = _on_edge(
+            x * grid.wide, y * grid.deep, u1 * grid.wide, v1 * grid.deep, u2 * grid.wide, v2 * grid.deep
+        )
     right, front = (x - one * u1 - two * u2) * grid.wide, (y - one * v1 - two * v2) * grid.deep
     h1, h2 = sign * (h[b] - h[a]), sign * (h[c] - h[a])
     height = sign * (h[a] - h[i]) + one * h1 + two * h2 + STEEP * np.sqrt(right * right + front * front)
     depth = -(height + averted(u1, u2, v1, v2, h1, h2, grid))
     return float(depth * (1 - smooth_share(depth / RIDGE - 1)))
+
+
+@compiled
+def _on_edge(x: float, y: float, x1: float, y1: float, x2: float, y2: float) -> tuple[float, float]:
+    """Shares of two corners of a triangle, the other one being the origin, in the place of its edges nearest to one."""
+    t = _along(x, y, x1, y1)
+    one, two, least = t, 0.0, (x - t * x1) ** 2 + (y - t * y1) ** 2
+    t = _along(x, y, x2, y2)
+    away = (x - t * x2) ** 2 + (y - t * y2) ** 2
+    if away < least:
+        one, two, least = 0.0, t, away
+    t = _along(x - x1, y - y1, x2 - x1, y2 - y1)
+    if (x - x1 - t * (x2 - x1)) ** 2 + (y - y1 - t * (y2 - y1)) ** 2 < least:
+        one, two = 1.0 - t, t
+    return one, two
+
+
+@compiled
+def _along(x: float, y: float, to_x: float, to_y: float) -> float:
+    """Share of a way from the origin that lies abreast of a place."""
+    return min(max((x * to_x + y * to_y) / max(to_x * to_x + to_y * to_y, SHORTEST), 0.0), 1.0)
