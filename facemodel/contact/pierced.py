@@ -11,18 +11,21 @@ import numpy as np
 from facemodel.compiled import compiled
 from facemodel.contact.frame import Axes
 from facemodel.contact.lips import Lip
-from facemodel.contact.relief import DEPTHS, STEEP, WIDTHS, Grid, OnGrid, averted, on_grid, place_points
+from facemodel.contact.relief import DEPTHS, WIDTHS, Grid, OnGrid, averted, on_grid, place_points
 from facemodel.smooth import smooth_share
 from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
-BESIDE = 0.2
-"""Millimetres beside a triangle within which it is met as if it sloped away, so that no point jumps."""
+BESIDE, SLOPE = 0.4, 2.0
+"""Millimetres beside a triangle within which it is met as if it sloped away so steeply, so that no point jumps."""
 
 RIDGE = 1.0
 """Millimetres that a ridge stands out at most; what is twice as deep is no ridge, but other skin that turns back."""
 
 SHORTEST = 1e-12
 """Square millimetres of an edge that has no length."""
+
+CELL = 2
+"""Steps of the grid either way in a cell in which points are looked for: few have more than one point in them."""
 
 LEFT = 0.04
 """Millimetres that are left as they are; less than the skin between the lips."""
@@ -113,14 +116,14 @@ def depths(points: OnGrid, grid: Grid, lip: Lip, other: Lip, near: BoolArray) ->
 
 @compiled
 def _cell(at: float, count: int) -> int:
-    """Which of so many cells a step is in; those beside the grid are in its outermost ones."""
-    return int(min(max(at, 0.0), count - 1.0))
+    """Which cell a step of so many is in; those beside the grid are in its outermost ones."""
+    return int(min(max(at, 0.0), count - 1.0)) // CELL
 
 
 @compiled
 def _in_cells(points: OnGrid, lip: Lip, near: BoolArray) -> tuple[IntArray, IntArray]:
     """The first kept point of a lip (A, D) in each cell of the grid of those that are near, and which follows each."""
-    first, following = np.full((WIDTHS, DEPTHS), -1), np.empty(len(lip.kept), np.int64)
+    first, following = np.full((WIDTHS // CELL, DEPTHS // CELL), -1), np.empty(len(lip.kept), np.int64)
     for number, i in enumerate(lip.kept):
         if near[i]:
             cell = _cell(points.u[i], WIDTHS), _cell(points.v[i], DEPTHS)
@@ -140,7 +143,7 @@ def _depth(points: OnGrid, i: int, a: int, b: int, c: int, twice: float, grid: G
         )
     right, front = (x - one * u1 - two * u2) * grid.wide, (y - one * v1 - two * v2) * grid.deep
     h1, h2 = sign * (h[b] - h[a]), sign * (h[c] - h[a])
-    height = sign * (h[a] - h[i]) + one * h1 + two * h2 + STEEP * np.sqrt(right * right + front * front)
+    height = sign * (h[a] - h[i]) + one * h1 + two * h2 + SLOPE * np.sqrt(right * right + front * front)
     depth = -(height + averted(u1, u2, v1, v2, h1, h2, grid))
     return float(depth * (1 - smooth_share(depth / RIDGE - 1)))
 
