@@ -15,7 +15,7 @@ from facemodel.contact.relief import DEPTHS, WIDTHS, Grid, OnGrid, averted, on_g
 from facemodel.smooth import smooth_share
 from fem.types import BoolArray, Float32Array, FloatArray, IntArray
 
-BESIDE, SLOPE = 0.4, 2.0
+BESIDE, SLOPE = 0.2, 4.0
 """Millimetres beside a triangle within which it is met as if it sloped away so steeply, so that no point jumps."""
 
 RIDGE = 1.0
