@@ -14,6 +14,11 @@ def smooth_step(x: FloatArray) -> FloatArray:
     return np.asarray(t * t * (3 - 2 * t))
 
 
+def smooth(x: FloatArray, low: float, high: float) -> FloatArray:
+    """0 below ``low``, 1 above ``high`` (or the other way round if ``low`` is larger), with level ends."""
+    return smooth_step((x - low) / (high - low))
+
+
 @compiled
 def smooth_share(x: float) -> float:
     """The same of one number, for loops over points."""

@@ -198,8 +198,12 @@ class FaceSolver:
         if last is not None and not fresh and tuple(mixes) == tuple(last.mixes) and same(turning, last.turning):
             return last.basis
         sampled = sampler.rows(_mixed([mixes[name] for name in fresh], sampler.unknowns))
-        moved = {mode: sampler.at_vertices(self._columns[mode].coefficients) for mode in modes}
-        carry_lining(sampled[0], [whole[name] for name in fresh], self._lining_of(project.face), moved)
+        carry_lining(
+            sampled[0],
+            [whole[name] for name in fresh],
+            self._lining_of(project.face),
+            lambda mode: sampler.at_vertices(self._columns[mode].coefficients),
+        )
         rows = []
         for new, kept in zip(sampled, (last.fields, last.slopes) if last else sampled, strict=True):
             row = np.empty((len(mixes), new.shape[1]), dtype=np.float32)

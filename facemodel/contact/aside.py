@@ -7,6 +7,7 @@ that gets behind the upper one so; that one stays, as nothing is gained where bo
 
 from __future__ import annotations
 
+import igl
 import numpy as np
 from scipy.spatial import KDTree
 
@@ -14,8 +15,8 @@ from facemodel.compiled import compiled
 from facemodel.contact.frame import Axes
 from facemodel.contact.lips import LipPair
 from facemodel.contact.nearest import LEFT, REACH, Corners, Nearest, nearest_of
-from facemodel.smooth import smooth_share, smooth_step
-from fem.types import BoolArray, Float32Array, FloatArray, IntArray
+from facemodel.smooth import smooth, smooth_share
+from fem.types import BoolArray, Float32Array, FloatArray
 
 CORNER, END = (0.8, 0.87), (0.94, 0.97)
 """Shares of half the mouth between which points are met aside, each fading in or out: at the end lips are one skin."""
@@ -43,26 +44,16 @@ def corners_of(pair: LipPair, rest: Float32Array) -> Corners:
     half = float(along[np.concatenate([lip.met, other.met])].max(initial=SMALLEST))
     away = KDTree(rest[np.unique(other.met)]).query(rest[lip.kept])[0]
     share = along[lip.kept] / half
-    hold = lip.hold * _faded(share, CORNER) * (1 - _faded(share, END)) * (1 - _faded(away, CLOSE))
+    hold = lip.hold * smooth(share, *CORNER) * (1 - smooth(share, *END))
+    hold *= 1 - smooth(away, *CLOSE)
     points = lip.kept[hold > 0]
     inner = np.ones(len(rest))
-    inner[_border(other.met)] = 0.0
+    inner[igl.boundary_facets(other.met)[0].ravel()] = 0.0
     triangles = other.met[:0]
     if len(points):
         near = KDTree(rest[points]).query(rest[other.met].mean(axis=1))[0] < CLOSE[1] + AROUND
         triangles = other.met[near]
     return Corners(points, hold[hold > 0], np.ascontiguousarray(triangles), inner)
-
-
-def _faded(values: FloatArray, ends: tuple[float, float]) -> FloatArray:
-    return smooth_step((values - ends[0]) / (ends[1] - ends[0]))
-
-
-def _border(triangles: IntArray) -> IntArray:
-    """Points at the border of triangles (T, 3)."""
-    edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
-    known, count = np.unique(edges, axis=0, return_counts=True)
-    return np.unique(known[count == 1])
 
 
 @compiled

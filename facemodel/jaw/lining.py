@@ -8,7 +8,7 @@ far as it lies on the lower jaw.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +17,7 @@ from scipy.spatial import KDTree
 from facemodel.face import Face, Part
 from facemodel.jaw.modes import JawMode, mode_motion
 from facemodel.openings import mouth_of, on_upper_side
-from facemodel.smooth import smooth_step
+from facemodel.smooth import smooth
 from facemodel.sources import Recipe
 from fem.types import Float32Array, FloatArray
 
@@ -75,24 +75,23 @@ def lining_of(face: Face) -> Lining | None:
             below = np.einsum("pk,pk->p", part.shares, lower[part.anchors].astype(np.float64))
             rim = face.skin.positions[np.unique(part.anchors)]
             behind = KDTree(rim).query(part.mesh.positions)[0]
-            of_jaw = smooth_step((below - CHEEK[0]) / (CHEEK[1] - CHEEK[0]))
-            return Lining(face, part, first, of_jaw, smooth_step((RIM[1] - behind) / (RIM[1] - RIM[0])))
+            return Lining(face, part, first, smooth(below, *CHEEK), smooth(behind, *reversed(RIM)))
         first += len(part.mesh.positions)
     return None
 
 
 def carry_lining(
-    fields: Float32Array, recipes: Sequence[Recipe], lining: Lining | None, moved: Mapping[JawMode, FloatArray]
+    fields: Float32Array, recipes: Sequence[Recipe], lining: Lining | None, moved: Callable[[JawMode], FloatArray]
 ) -> None:
     """Take the lining along with the bone in fields (M, 3 Q), each made after a recipe, in place.
 
     Parameters
     ----------
-    moved : (N, 3) how far each mode of the jaw moves the vertices of the skin
+    moved : how far (N, 3) a mode of the jaw moves the vertices of the skin; asked for those alone that turn a field
     """
     if lining is None:
         return
-    beyond = {mode: lining.beyond_rim(mode, moved[mode]).ravel() for mode in _modes(recipes)}
+    beyond = {mode: lining.beyond_rim(mode, moved(mode)).ravel() for mode in _modes(recipes)}
     for row, recipe in zip(fields, recipes, strict=True):
         for source, weight in recipe:
             if isinstance(source, JawMode):

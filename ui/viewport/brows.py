@@ -10,8 +10,8 @@ from scipy.interpolate import PchipInterpolator
 
 from facemodel.face import Face
 from facemodel.mesh import Mesh
+from facemodel.smooth import smooth
 from fem.types import FloatArray
-from ui.viewport.complexion import smooth
 
 HAIRS = 560
 """Per brow; enough to read as hair from near and as a band from afar."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from facemodel.face import Face
 from facemodel.mesh import Mesh
-from facemodel.smooth import smooth_step
+from facemodel.smooth import smooth
 from fem.types import FloatArray, IntArray
 from ui.viewport.lids import lid_line
 
@@ -120,11 +120,6 @@ class Complexion:
 
     colours: FloatArray
     gloss: FloatArray
-
-
-def smooth(x: FloatArray, low: float, high: float) -> FloatArray:
-    """0 below ``low``, 1 above ``high`` (or the other way round if ``low`` is larger), with level ends."""
-    return smooth_step((x - low) / (high - low))
 
 
 def rings(mesh: Mesh, loop: IntArray, count: int) -> IntArray:

@@ -11,8 +11,9 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
 
 from facemodel.eyeball import IRIS_RADIUS, PUPIL, PUPIL_RADIUS, around_the_eye, iris_colours, white_colours
+from facemodel.smooth import smooth
 from fem.types import FloatArray
-from ui.viewport.complexion import Colour, smooth
+from ui.viewport.complexion import Colour
 from ui.viewport.surface import ByteArray
 
 SIDE = 768

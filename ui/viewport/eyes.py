@@ -11,8 +11,9 @@ from facemodel.compiled import compiled
 from facemodel.eyeball import IRIS_RADIUS, EyeballMesh, Fineness, Region, eyeball
 from facemodel.face import Eye
 from facemodel.mesh import Mesh, submesh
+from facemodel.smooth import smooth
 from fem.types import Float32Array, FloatArray, IntArray
-from ui.viewport.complexion import Colour, smooth
+from ui.viewport.complexion import Colour
 from ui.viewport.eye_picture import eye_coordinates, eye_picture
 from ui.viewport.joined import Shape, joined
 from ui.viewport.lids import LidLine, same_line

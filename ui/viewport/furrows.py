@@ -16,9 +16,9 @@ import igl
 import numpy as np
 
 from facemodel.face import Face
+from facemodel.smooth import smooth
 from fem.types import FloatArray
 from ui.viewport.brows import on_chart
-from ui.viewport.complexion import smooth
 
 STEPS = 24
 """Places along a furrow."""

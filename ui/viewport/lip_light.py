@@ -9,7 +9,8 @@ import numpy as np
 
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
-from ui.viewport.complexion import has_features, openings, rings, smooth
+from facemodel.smooth import smooth
+from ui.viewport.complexion import has_features, openings, rings
 from ui.viewport.look import at_points
 from ui.viewport.surface import Surface
 

@@ -11,8 +11,9 @@ from app.differences import same_head
 from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.mesh import Mesh
+from facemodel.smooth import smooth
 from fem.types import FloatArray
-from ui.viewport.complexion import Palette, complexion, has_features, near, openings, palette_of, smooth
+from ui.viewport.complexion import Palette, complexion, has_features, near, openings, palette_of
 from ui.viewport.detail import Detail, skin_detail
 from ui.viewport.furrows import Furrows, furrows
 from ui.viewport.occlusion import openness

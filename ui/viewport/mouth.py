@@ -8,8 +8,8 @@ from facemodel.display import DisplaySurface
 from facemodel.face import Face
 from facemodel.openings import mouth_of
 from facemodel.sampling import points_of_vertices
+from facemodel.smooth import smooth
 from fem.types import Float32Array, FloatArray
-from ui.viewport.complexion import smooth
 from ui.viewport.surface import ByteArray, Surface
 
 SHUT, OPEN = 0.4, 5.0

@@ -7,9 +7,10 @@ import numpy as np
 
 from facemodel.face import Part
 from facemodel.mesh import Mesh
+from facemodel.smooth import smooth
 from facemodel.superposition import Superposition
 from fem.types import FloatArray
-from ui.viewport.complexion import Colour, Palette, smooth
+from ui.viewport.complexion import Colour, Palette
 from ui.viewport.look import bytes_of
 from ui.viewport.shading import FLESH, TOOTH, apply
 from ui.viewport.surface import Surface

@@ -11,8 +11,9 @@ from scipy.interpolate import PchipInterpolator
 
 from facemodel.face import Part
 from facemodel.mesh import Mesh
+from facemodel.smooth import smooth
 from fem.types import FloatArray
-from ui.viewport.complexion import Colour, smooth
+from ui.viewport.complexion import Colour
 from ui.viewport.look import bytes_of
 from ui.viewport.shading import TOOTH, apply
 from ui.viewport.surface import Surface

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from facemodel.smooth import smooth
 from fem.types import Float32Array, FloatArray
 from ui.viewport.colour_map import cividis
-from ui.viewport.complexion import smooth
 from ui.viewport.overlays.layer_map import readable
 from ui.widgets.legend_card import Legend
 

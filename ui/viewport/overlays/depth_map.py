@@ -9,9 +9,9 @@ from facemodel.laying.places import nearest
 from facemodel.sampling import points_of_vertices
 from facemodel.skull.findings import Findings
 from facemodel.skull.tissue_depths import LandmarkDepth
+from facemodel.smooth import smooth
 from fem.types import Float32Array, FloatArray
 from ui.viewport.colour_map import cividis
-from ui.viewport.complexion import smooth
 from ui.viewport.look import at_points
 from ui.viewport.overlays.marks import Colour, Marks
 from ui.viewport.overlays.overlay import Drawn

@@ -8,9 +8,9 @@ from PySide6.QtGui import QCursor
 from app.tools.sight import Ghost
 from facemodel.muscles import Muscle
 from facemodel.muscles.models import MODELS
+from facemodel.smooth import smooth
 from fem.types import Float32Array, FloatArray, IntArray
 from ui.viewport.colour_map import cividis
-from ui.viewport.complexion import smooth
 from ui.viewport.look import at_points
 from ui.viewport.muscle_fields import muscle_named, muscle_pull
 from ui.viewport.overlays.forces import COLOUR, LIFT, ArrowField

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from facemodel.muscles.models import MODELS
+from facemodel.smooth import smooth
 from fem.types import Float32Array
 from ui.viewport.colour_map import cividis
-from ui.viewport.complexion import smooth
 from ui.viewport.look import at_points
 from ui.viewport.muscle_fields import muscle_named, muscle_pull
 from ui.viewport.overlays.legend import legend

@@ -10,10 +10,10 @@ from facemodel.eyeball import eyeball
 from facemodel.face import Eye, Face
 from facemodel.model_fields import ModelFields
 from facemodel.muscles.muscle import Model
+from facemodel.smooth import smooth
 from facemodel.solution import Progress
 from fem.types import FloatArray
 from ui.viewport.colour_map import cividis
-from ui.viewport.complexion import smooth
 from ui.viewport.ray_picture import Painted, Standpoint, joined, ray_picture
 from ui.viewport.surface import ByteArray
 
