@@ -49,8 +49,13 @@ def _within(what: str, value: float, limit: float, against: str) -> Figure:
 def _jaw(project: Project, solution: Solution) -> Iterator[Figure]:
     posed, basis = Superposition(project.face, solution.basis), solution.basis
     mixes = [{"27": angle} for angle in ANGLES] + [{"26": 0.8, "27": 0.6, "12L": 0.7}]
-    off = max(against_full(project, mix, basis, in_full(project, mix)).largest for mix in mixes)
+    solved = [(mix, in_full(project, mix)) for mix in mixes]
+    off, kept = (
+        max(against_full(project, mix, basis, whole, contact=contact).largest for mix, whole in solved)
+        for contact in (False, True)
+    )
     yield _within("jaw off a full solution at most", off, OFF_THE_ARC, f"{OFF_THE_ARC} mm")
+    yield Figure("the same with lids and lips kept out of what they meet, which no solution does", kept, "mm")
     posed.pose({"27": 1.0})
     apart = incisors_apart(project.face, posed)
     yield Figure("between the incisors at full opening", apart, "mm", f"at least {OPEN:g} mm", OPEN / apart, 1.0)

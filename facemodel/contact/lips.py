@@ -9,6 +9,7 @@ import numpy as np
 from facemodel.compiled import compiled
 from facemodel.contact.frame import Axes
 from facemodel.contact.laying import COLUMNS
+from facemodel.contact.near import mark_corners, mark_kept
 from facemodel.contact.relief import (
     DEPTHS,
     WIDTHS,
@@ -46,10 +47,6 @@ TOLERATED = 0.04
 
 SKIN = 0.05
 """Millimetres between each lip and the face between them: what is drawn is flat from point to point."""
-
-NEXT = 1.5
-"""Millimetres from the face between the lips within which a point is next to the other lip: crumpled skin stands out of
-its relief by less than that."""
 
 
 class Lip(NamedTuple):
@@ -242,21 +239,13 @@ def bring_apart(
         other = _beyond(reading, lower, reading.under, reading.over) - low - left
         moved = _bring_back(here, upper, one, axes)
         moved = _bring_back(here, lower, other, axes) or moved
-        _mark(near, upper, one)
-        _mark(near, lower, other)
+        mark_kept(near, upper.kept, one)
+        mark_kept(near, lower.kept, other)
+        mark_corners(near, reading.points, upper.corners, lower.corners)
         if not moved or turn == ROUNDS - 1:
             break
         left = TOLERATED
         reading = read_lips(here, axes, upper, lower)
-
-
-@compiled
-def _mark(near: BoolArray, lip: Lip, beyond: FloatArray) -> None:
-    """Mark which of all points (n,) are points of a lip that are next to the other one, or may be."""
-    for number, i in enumerate(lip.kept):
-        near[i] = beyond[number] > -NEXT
-    for i in lip.corners:
-        near[i] = True
 
 
 @compiled

@@ -88,12 +88,19 @@ class Cells(NamedTuple):
 
 @compiled
 def nearest_of(here: Float32Array, axes: Axes, lip: Corners, near: BoolArray) -> Nearest:
-    """What is nearest to the points of a lip that are near the other one, of posed points (n, 3)."""
+    """What is nearest to the points of a lip that are near the other one, of posed points (n, 3).
+
+    Parameters
+    ----------
+    near : (n,) which of all points are next to the other lip; only triangles at those are looked at
+    """
     count = len(lip.points)
     nearest = Nearest(np.full(count, REACH), np.zeros((count, 3)), np.zeros(count), np.zeros(count))
     cells = _in_cells(here, axes, lip, near)
     for t in range(len(lip.triangles)):
         a, b, c = lip.triangles[t, 0], lip.triangles[t, 1], lip.triangles[t, 2]
+        if not (near[a] | near[b] | near[c]):
+            continue
         x, y, z = (
             (here[a, 0] + here[b, 0] + here[c, 0]) / 3,
             (here[a, 1] + here[b, 1] + here[c, 1]) / 3,

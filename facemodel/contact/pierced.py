@@ -21,6 +21,10 @@ BESIDE, SLOPE = 0.2, 4.0
 RIDGE = 1.0
 """Millimetres that a ridge stands out at most; what is twice as deep is no ridge, but other skin that turns back."""
 
+MIDDLE, ASIDE = 0.3, (0.5, 0.8)
+"""How much more upright skin is met in the middle of a mouth, where it stands so in another lip alone, and shares of
+half the mouth from which on it is met less, and from which on as little as in a corner."""
+
 SHORTEST = 1e-12
 """Square millimetres of an edge that has no length."""
 
@@ -144,7 +148,9 @@ def _depth(points: OnGrid, i: int, a: int, b: int, c: int, twice: float, grid: G
     right, front = (x - one * u1 - two * u2) * grid.wide, (y - one * v1 - two * v2) * grid.deep
     h1, h2 = sign * (h[b] - h[a]), sign * (h[c] - h[a])
     height = sign * (h[a] - h[i]) + one * h1 + two * h2 + SLOPE * np.sqrt(right * right + front * front)
-    depth = -(height + averted(u1, u2, v1, v2, h1, h2, grid))
+    aside = abs(2 * u[i] / (WIDTHS - 1) - 1)
+    upright = MIDDLE + (1 - MIDDLE) * smooth_share((aside - ASIDE[0]) / (ASIDE[1] - ASIDE[0]))
+    depth = -(height + averted(u1, u2, v1, v2, h1, h2, grid, upright))
     return float(depth * (1 - smooth_share(depth / RIDGE - 1)))
 
 

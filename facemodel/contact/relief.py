@@ -182,17 +182,23 @@ def _lay(
 
 
 @compiled
-def averted(u1: float, u2: float, v1: float, v2: float, h1: float, h2: float, grid: Grid) -> float:
+def averted(
+    u1: float, u2: float, v1: float, v2: float, h1: float, h2: float, grid: Grid, upright: float = 1.0
+) -> float:
     """Millimetres by which a triangle, given by two of its sides in steps of the grid, recedes.
 
     In the corners of an open mouth skin stands upright, and no lip is above another one.
+
+    Parameters
+    ----------
+    upright : share of the slopes that are met otherwise, from which on this one is met
     """
     x, y, z = (
         (h1 * v2 - h2 * v1) * grid.deep,
         (u2 * v1 - u1 * v2) * grid.wide * grid.deep,
         (u1 * h2 - u2 * h1) * grid.wide,
     )
-    share = (abs(y) / np.sqrt(x * x + y * y + z * z) - UPRIGHT) / (LEVEL - UPRIGHT)
+    share = (abs(y) / np.sqrt(x * x + y * y + z * z) - upright * UPRIGHT) / (upright * (LEVEL - UPRIGHT))
     return AWAY * (1.0 - smooth_share(share))
 
 
