@@ -11,7 +11,9 @@ from facemodel.anatomy.files import shipped_anatomy
 from facemodel.anatomy.paint import Canvas, head_margins, paint
 from facemodel.chart import make_chart
 from facemodel.face import Face, Layers
-from facemodel.making.cut import Cut, cut_head
+from facemodel.making.corners import with_smooth_corners
+from facemodel.making.cut import Cut, cut_head, island_of, triangulate, uv_islands
+from facemodel.making.fairing import Seam, with_fair_lips
 from facemodel.making.individuals import Individual, positions
 from facemodel.making.landmarks import landmarks as find_landmarks
 from facemodel.making.parts import eye, lashes, lowered_tongue, pocket, rigid
@@ -44,13 +46,23 @@ def head_origin(shape: FloatArray, cut: Cut) -> FloatArray:
     return np.asarray(middle * [0, 1, 1])
 
 
+def mouth_seam(wheel: Wheel, cut: Cut, marks: Mapping[str, int]) -> Seam:
+    """Where the mouth is cut open."""
+    body = wheel.base.groups["body"]
+    labels = uv_islands(body)
+    skin, pocket = (island_of(body, labels, vertex)[:, :, 0] for vertex in (NOSE, MOUTH_POCKET))
+    triangles = triangulate(body[:, :, 0], wheel.base.positions, wheel.mirror())
+    corners = cut.ends[[marks["mouth_corner_L"], marks["mouth_corner_R"]], 0]
+    return Seam(triangles, np.intersect1d(skin, pocket), corners)
+
+
 def make_face(wheel: Wheel, person: Individual, cut: Cut) -> Face:
     """One individual as a face."""
     base = wheel.base
-    shape = positions(wheel, person)
-    shape = shape - head_origin(shape, cut)
-    skin = Mesh(cut.positions(shape), cut.triangles)
     marks = find_landmarks(cut, base.positions)
+    shape = with_fair_lips(base.positions, positions(wheel, person), mouth_seam(wheel, cut, marks))
+    shape = shape - head_origin(shape, cut)
+    skin = with_smooth_corners(Mesh(cut.positions(shape), cut.triangles), marks)
     loops = {("L" if skin.positions[loop][:, 0].mean() > 0 else "R"): loop for loop in skin.boundary_loops[:2]}
     eye_pair = (
         eye("L", base, shape, skin.positions[loops["L"]]),
