@@ -20,6 +20,9 @@ EYES_APART = 87.0
 OWN_SIDE = 2.0
 """Millimetres from the midline beyond which both ends of a paired muscle stay."""
 
+IN_MIDLINE = 0.01
+"""Millimetres from the midline within which a place is meant to be in it: faces are as symmetric as that."""
+
 
 class Placement:
     """One head, on which spots become points.
@@ -63,11 +66,13 @@ class Placement:
         """A central fibre, which touches bone in between as often as its course says.
 
         That of a paired muscle keeps to its own side: where its words would bring an end across the midline of a narrow
-        head, it stays `OWN_SIDE` short of that.
+        head, it stays `OWN_SIDE` short of that.  An unpaired one that is meant to arise in the midline does.
         """
         ends = (self.point(spot, side) for spot in (course.origin, course.attachment))
         start, end = (self._kept(point, side) for point in ends) if paired else ends
         origin, attachment = self._below(start), np.array(nearest(self._skin, end)[0][0])
+        if abs(start[0]) < IN_MIDLINE:
+            origin[0] = 0.0  # the bone nearest to skin of the midline may be on either side of it by a hair
         shares = np.linspace(0, 1, course.over + 2)[1:-1]
         return Fibre(origin, attachment, tuple(self._below(origin + s * (attachment - origin)) for s in shares))
 
