@@ -14,7 +14,7 @@ from app.quality import FRAMES, QUICKEST, SLOWEST
 from app.settings import UserSettings
 from tests.ui.hands import drag
 from tests.ui.window.seen import differs, next_frame, picture, pixel
-from ui.window.canvas import STILL
+from ui.window.canvas import FRAME, STILL
 from ui.window.main_window import MainWindow
 
 SMILE = 12
@@ -99,6 +99,13 @@ def test_a_face_at_rest_is_drawn_once_more_and_a_hand_puts_that_off(window: Main
     while time.perf_counter() < begun + 3 * STILL:
         next_frame(window)
     assert min(gaps) > STILL - TICK
+
+
+def test_the_time_that_a_frame_takes_is_not_waited_for_again(window: MainWindow) -> None:
+    canvas = window.viewport.canvas
+    canvas.before_frame.append(lambda: time.sleep(FRAME))
+    next_frame(window)
+    assert canvas.due == 0.0
 
 
 def test_fewer_pixels_leave_what_lies_under_the_pointer_where_it_is(window: MainWindow) -> None:
