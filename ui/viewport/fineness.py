@@ -59,6 +59,15 @@ FINENESS: Mapping[Level, Fineness] = {
 """The occlusion pass draws into pictures of its own, of one sample per pixel: there edges are smoothed after."""
 
 
+def fineness_of(level: Level, thin_lines: bool) -> Fineness:
+    """How finely a picture is drawn at a level, with lines of a pixel's width in it or without.
+
+    Such lines need samples, which is why they are drawn without occlusion: smoothed after, they fall into dashes.
+    """
+    fineness = FINENESS[level]
+    return FINENESS["balanced"] if thin_lines and fineness.occlusion else fineness
+
+
 class Occlusion:
     """Ambient occlusion in the picture: the shade that the pose makes, over that which is baked into the resting skin.
 

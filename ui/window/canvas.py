@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
 
 from app.quality import Level
-from ui.viewport.fineness import FINENESS, Fineness, Occlusion
+from ui.viewport.fineness import Fineness, Occlusion, fineness_of
 
 FRAME = 1 / 60
 """Seconds from the begin of a frame to that of the next, at least; a hand moves more often than a screen can show."""
@@ -41,6 +41,7 @@ class Canvas(QtInteractor):
     Attributes
     ----------
     moving, resting : how finely is drawn what moves, and what has come to rest
+    thin_lines : whether lines of a pixel's width are in the picture
     frames : drawn so far
     """
 
@@ -56,6 +57,7 @@ class Canvas(QtInteractor):
         self.frames = 0
         self.moving: Level = "balanced"
         self.resting: Level = "balanced"
+        self.thin_lines = False
         self._occlusion = Occlusion(self.renderer)
         self._painting = False
         self._begun = self._last = 0.0
@@ -117,7 +119,7 @@ class Canvas(QtInteractor):
     def picture(self) -> NDArray[np.uint8]:
         """What is seen, up to date and as fine as at rest, (height, width, 3) in pixels of the screen."""
         self._prepare()
-        self._take(FINENESS[self.resting])
+        self._take(fineness_of(self.resting, self.thin_lines))
         self._painting = True
         self._check_has_ren_win()
         try:
@@ -135,7 +137,7 @@ class Canvas(QtInteractor):
         self._begun = start = time.perf_counter()
         self._prepare()
         prepared = time.perf_counter()
-        self._draw(FINENESS[self.resting if self._at_rest else self.moving])
+        self._draw(fineness_of(self.resting if self._at_rest else self.moving, self.thin_lines))
         self._last = time.perf_counter()
         self.frames += 1
         drawing = 1000 * (self._last - prepared)

@@ -137,6 +137,19 @@ def test_full_quality_shades_the_face_and_leaves_the_backdrop(window: MainWindow
     assert not differs(picture(window), plain)
 
 
+@pytest.mark.parametrize("lines", [{"wireframe": True}, {"layer": "stiffness", "contours": True}])
+def test_thin_lines_are_as_whole_in_full_quality_as_in_balanced(window: MainWindow, lines: dict[str, object]) -> None:
+    window.context.view.change(view="front", **lines)
+    choose(window, "Balanced")
+    whole = picture(window)
+    choose(window, "Full")
+    assert not differs(picture(window), whole)
+    window.context.view.change(wireframe=False, layer="")
+    bare = picture(window)
+    choose(window, "Balanced")
+    assert differs(picture(window), bare)
+
+
 def test_a_window_closes_in_full_quality(window: MainWindow) -> None:
     choose(window, "Full")
     next_frame(window)
