@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderPass
+from vtkmodules.vtkRenderingCore import vtkFXAAOptions, vtkRenderer, vtkRenderPass
 from vtkmodules.vtkRenderingOpenGL2 import (
     vtkCameraPass,
     vtkLightsPass,
@@ -59,6 +59,15 @@ FINENESS: Mapping[Level, Fineness] = {
 """The occlusion pass draws into pictures of its own, of one sample per pixel: there edges are smoothed after."""
 
 
+def fineness_of(level: Level, thin_lines: bool) -> Fineness:
+    """How finely a picture is drawn at a level, with lines of a pixel's width in it or without.
+
+    Such lines need samples, which is why they are drawn without occlusion: smoothed after, they fall into dashes.
+    """
+    fineness = FINENESS[level]
+    return FINENESS["balanced"] if thin_lines and fineness.occlusion else fineness
+
+
 class Occlusion:
     """Ambient occlusion in the picture: the shade that the pose makes, over that which is baked into the resting skin.
 
@@ -81,6 +90,7 @@ class Occlusion:
         shade.SetDelegatePass(solid)
         # Lashes and tears are drawn over the shaded face: as part of it they would throw shade from their whole width.
         self._pass = vtkOpenGLFXAAPass()
+        self._pass.SetFXAAOptions(_along_edges_alone())
         self._pass.SetDelegatePass(_one_by_one(shade, vtkTranslucentPass(), vtkOverlayPass()))
 
     def switch(self, on: bool) -> None:
@@ -97,6 +107,13 @@ class Occlusion:
             window = self._renderer.GetRenderWindow()
             window.MakeCurrent()
             self._pass.ReleaseGraphicsResources(window)
+
+
+def _along_edges_alone() -> vtkFXAAOptions:
+    """Smooth the steps of long edges and nothing else: hairs are smooth already, and blurred ones become blots."""
+    options = vtkFXAAOptions()
+    options.SetSubpixelBlendLimit(0.0)
+    return options
 
 
 def _one_by_one(*passes: vtkRenderPass) -> vtkSequencePass:

@@ -13,10 +13,10 @@ from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
 
 from app.quality import Level
-from ui.viewport.fineness import FINENESS, Fineness, Occlusion
+from ui.viewport.fineness import Fineness, Occlusion, fineness_of
 
 FRAME = 1 / 60
-"""Seconds between two frames at most; a hand moves more often than a screen can show."""
+"""Seconds from the begin of a frame to that of the next, at least; a hand moves more often than a screen can show."""
 
 STILL = 0.25
 """Seconds without a new frame after which the face is drawn once more, as finely as can be."""
@@ -41,6 +41,7 @@ class Canvas(QtInteractor):
     Attributes
     ----------
     moving, resting : how finely is drawn what moves, and what has come to rest
+    thin_lines : whether lines of a pixel's width are in the picture
     frames : drawn so far
     """
 
@@ -56,9 +57,10 @@ class Canvas(QtInteractor):
         self.frames = 0
         self.moving: Level = "balanced"
         self.resting: Level = "balanced"
+        self.thin_lines = False
         self._occlusion = Occlusion(self.renderer)
         self._painting = False
-        self._last = 0.0
+        self._begun = self._last = 0.0
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self.update)
         self._driver_known = False
@@ -77,8 +79,12 @@ class Canvas(QtInteractor):
         if self._ready and not self._painting and not self._timer.isActive():
             self._at_rest = False
             self._still.stop()
-            wait = self._last + FRAME - time.perf_counter()
-            self._timer.start(max(0, round(1000 * wait)))
+            self._timer.start(round(1000 * self.due))
+
+    @property
+    def due(self) -> float:
+        """Seconds until the next frame may begin: what the last one took is part of its sixtieth of a second."""
+        return max(0.0, self._begun + FRAME - time.perf_counter())
 
     def render(self, *_args: object, **_kwargs: object) -> None:
         """What pyvista calls after every change: a frame is asked for, not drawn at once."""
@@ -113,7 +119,7 @@ class Canvas(QtInteractor):
     def picture(self) -> NDArray[np.uint8]:
         """What is seen, up to date and as fine as at rest, (height, width, 3) in pixels of the screen."""
         self._prepare()
-        self._take(FINENESS[self.resting])
+        self._take(fineness_of(self.resting, self.thin_lines))
         self._painting = True
         self._check_has_ren_win()
         try:
@@ -128,10 +134,10 @@ class Canvas(QtInteractor):
             self._driver_known = True
             self.driver_known.emit(self._drawn_in_software())
         following = time.perf_counter() - self._last < STILL
-        start = time.perf_counter()
+        self._begun = start = time.perf_counter()
         self._prepare()
         prepared = time.perf_counter()
-        self._draw(FINENESS[self.resting if self._at_rest else self.moving])
+        self._draw(fineness_of(self.resting if self._at_rest else self.moving, self.thin_lines))
         self._last = time.perf_counter()
         self.frames += 1
         drawing = 1000 * (self._last - prepared)

@@ -246,6 +246,7 @@ class Viewport(QWidget):
 
     def _apply(self, now: ViewState, before: ViewState) -> None:
         self.scene.apply(now)
+        self.canvas.thin_lines = now.wireframe or (bool(now.layer) and (now.contours or now.glyphs))
         if seen(self._document, now) != seen(self._document, before):
             self._pose(self._document.shown)
         if now.before != before.before:

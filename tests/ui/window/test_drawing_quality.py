@@ -14,7 +14,7 @@ from app.quality import FRAMES, QUICKEST, SLOWEST
 from app.settings import UserSettings
 from tests.ui.hands import drag
 from tests.ui.window.seen import differs, next_frame, picture, pixel
-from ui.window.canvas import STILL
+from ui.window.canvas import FRAME, STILL
 from ui.window.main_window import MainWindow
 
 SMILE = 12
@@ -101,6 +101,13 @@ def test_a_face_at_rest_is_drawn_once_more_and_a_hand_puts_that_off(window: Main
     assert min(gaps) > STILL - TICK
 
 
+def test_the_time_that_a_frame_takes_is_not_waited_for_again(window: MainWindow) -> None:
+    canvas = window.viewport.canvas
+    canvas.before_frame.append(lambda: time.sleep(FRAME))
+    next_frame(window)
+    assert canvas.due == 0.0
+
+
 def test_fewer_pixels_leave_what_lies_under_the_pointer_where_it_is(window: MainWindow) -> None:
     choose(window, "Fast")
     next_frame(window)
@@ -128,6 +135,19 @@ def test_full_quality_shades_the_face_and_leaves_the_backdrop(window: MainWindow
     assert shaded.mean() < plain.mean()
     choose(window, "Balanced")
     assert not differs(picture(window), plain)
+
+
+@pytest.mark.parametrize("lines", [{"wireframe": True}, {"layer": "stiffness", "contours": True}])
+def test_thin_lines_are_as_whole_in_full_quality_as_in_balanced(window: MainWindow, lines: dict[str, object]) -> None:
+    window.context.view.change(view="front", **lines)
+    choose(window, "Balanced")
+    whole = picture(window)
+    choose(window, "Full")
+    assert not differs(picture(window), whole)
+    window.context.view.change(wireframe=False, layer="")
+    bare = picture(window)
+    choose(window, "Balanced")
+    assert differs(picture(window), bare)
 
 
 def test_a_window_closes_in_full_quality(window: MainWindow) -> None:
