@@ -26,7 +26,7 @@ from facemodel.jaw.modes import JawMode
 from facemodel.project import Project
 from facemodel.solve import Progress, Solution, silent, solve_project
 
-METHOD = "10"
+METHOD = "11"
 """Raise this when the same project would be solved to other fields, so that old entries are not found."""
 
 KEPT = 16

@@ -20,6 +20,7 @@ from facemodel.making.head import base_cut, make_face, painted
 from facemodel.making.individuals import INDIVIDUALS
 from facemodel.making.lips import with_closed_lips
 from facemodel.making.sculpted import make_sculpted
+from facemodel.making.skull import with_bones_about_teeth
 from facemodel.making.wheel import Wheel
 from facemodel.sculpted import write_sculpted
 from resources import resource
@@ -43,7 +44,8 @@ def main() -> None:
     wheel = Wheel(asked.wheel)
     cut = base_cut(wheel)
     for person in people:
-        face = painted(with_seated_teeth(with_closed_lips(make_face(wheel, person, cut))))
+        seated = with_seated_teeth(with_closed_lips(make_face(wheel, person, cut)))
+        face = painted(with_bones_about_teeth(seated))
         write_face(face, resource("faces", f"{person.key}.face"), single=True)
         make_atlas(face)
         if person.key == DEFAULT_FACE:

@@ -17,7 +17,7 @@ from facemodel.making.fairing import Seam, with_fair_lips
 from facemodel.making.individuals import Individual, positions
 from facemodel.making.landmarks import landmarks as find_landmarks
 from facemodel.making.parts import eye, lashes, lowered_tongue, pocket, rigid
-from facemodel.making.skull import make_skull
+from facemodel.making.skull import arches_of, make_skull
 from facemodel.making.wheel import Wheel
 from facemodel.mesh import Mesh
 from fem.types import BoolArray, FloatArray
@@ -87,7 +87,7 @@ def make_face(wheel: Wheel, person: Individual, cut: Cut) -> Face:
         landmarks=marks,
         eyes=eye_pair,
         parts=parts,
-        skull=make_skull(skin, marks, eye_pair),
+        skull=make_skull(skin, marks, eye_pair, arches_of(parts)),
         layers=_layers(skin, cut.solved, marks),
         provenance=PROVENANCE,
     )

@@ -20,9 +20,10 @@ NO_LENGTH = 0.01
 """Millimetres; a shorter spring has no direction worth the name.  Stored faces are exact to a hundredth of this; the
 shortest spring of the shipped ones is half a millimetre."""
 
-THROUGH = 8.0
+THROUGH = 11.0
 """Millimetres between the place where a spring meets bone and its foot, from which on it goes through that bone.  Feet
-lie on the smooth surface under which the bone is modelled, up to 6.6 mm behind the bone itself on the shipped faces."""
+lie on the smooth surface under which the bone is modelled, which knows nothing of teeth: up to 8 mm behind the sockets
+of molars on the shipped faces, and the struts of neighbours up to 10."""
 
 INSIDE = 0.5
 """Windings of the bone about a place in it are one, about a place in the open none."""

@@ -70,7 +70,7 @@ def test_a_real_skull_is_fitted_with_its_jaw_and_reported_where_it_comes_through
     bone, wanted = read_bone(path).mesh, bone_targets(FACE)
     way = laid_on(bone, FACE.skull)
     fit = fitted(proposed(bone, way, wanted), wanted)
-    assert fit.rms < 4.0
+    assert fit.rms < 4.5
     assert fit.scale == pytest.approx([15.0, 15.0, 15.0], rel=0.06)
     after = under(skull_of(FACE, bone.moved(fit(bone.positions)), FACE.skull))
     chin = FACE.skin.positions[FACE.landmarks["pogonion"]]

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from facemodel.dental_arch import is_strip
 from facemodel.face import Face
 from facemodel.faces import face_keys, load_face
 from facemodel.mesh import Mesh
@@ -13,7 +14,7 @@ from ui.viewport.brows import strokes
 from ui.viewport.complexion import PALETTES, complexion, has_features, lip_share, openings, rings
 from ui.viewport.look import look_of
 from ui.viewport.occlusion import openness
-from ui.viewport.teeth import is_strip, row_of_teeth
+from ui.viewport.teeth import row_of_teeth
 
 
 @pytest.fixture(scope="module", params=face_keys())

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from vtkmodules.vtkRenderingCore import vtkActor
 
+from facemodel.dental_arch import is_strip
 from facemodel.face import Eye, Face, Part
 from facemodel.superposition import Superposition
 from ui.viewport.eyes import EyesInLids
@@ -20,7 +21,7 @@ from ui.viewport.seams import seam
 from ui.viewport.shading import Ghost
 from ui.viewport.skin import Skin
 from ui.viewport.surface import Surface, moved_by
-from ui.viewport.teeth import is_strip, row_of_teeth
+from ui.viewport.teeth import row_of_teeth
 from ui.viewport.tongue import Tongue
 
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
 
+from facemodel.dental_arch import HEIGHTS, DentalArch, dental_arch
 from facemodel.face import Part
 from facemodel.mesh import Mesh
 from facemodel.smooth import smooth
@@ -18,10 +18,6 @@ from ui.viewport.look import bytes_of
 from ui.viewport.shading import TOOTH, apply
 from ui.viewport.surface import Surface
 
-WIDTHS = {"upper": (8.6, 6.6, 7.7, 7.0, 6.8, 10.2, 9.6), "lower": (5.4, 5.9, 6.9, 7.0, 7.1, 11.0, 10.4)}
-"""Widths of the crowns in millimetres from the midline backwards (Wheeler's table)."""
-HEIGHTS = {"upper": (10.4, 9.0, 10.0, 8.6, 8.2, 7.4, 7.0), "lower": (8.8, 9.0, 10.0, 8.6, 8.0, 7.4, 7.0)}
-"""Heights of the crowns in millimetres."""
 PAPILLA = 0.70
 """Height of the gum's tip between two teeth over that of the crowns beside it."""
 ACROSS = np.sin(np.pi / 2 * np.linspace(-1, 1, 9))
@@ -32,8 +28,6 @@ BACK = np.array([0.0, 0.05, 0.35, 0.95])
 """Rows from the cutting edge up the tongue's side."""
 THICK = 3.2
 """Millimetres from the lips' side to the tongue's side of a crown near its edge."""
-FEWEST = 8
-"""Vertices inside a strip, of the cutting edge and between it and the root, from which an arch can be read."""
 CURVED = np.array([0.25, 0.25, 0.0, 0.15, 0.15, 0.10, 0.10])
 """How much shorter than the canines the other crowns end, millimetres."""
 
@@ -73,15 +67,9 @@ class _Arch:
     gum: FloatArray
 
 
-def is_strip(part: Part) -> bool:
-    """Whether a part is a strip over a whole row of teeth, out of which single teeth can be carved."""
-    loops = part.mesh.boundary_loops
-    return len(loops) == 1 and len(part.mesh.positions) - len(loops[0]) >= FEWEST
-
-
 def row_of_teeth(part: Part) -> Surface:
     """A row of teeth and its gum in the place of a part, at rest."""
-    arch = _arch(part.mesh, "upper" if "upper" in part.name else "lower")
+    arch = _arch(dental_arch(part))
     points, colours = _crowns(arch)
     mesh = _grid(points)
     surface = Surface(
@@ -96,65 +84,17 @@ def row_of_teeth(part: Part) -> Surface:
     return surface
 
 
-def _arch(mesh: Mesh, row: str) -> _Arch:
-    edge_row, root_row = _rows(mesh, row)
-    angle = _angle(edge_row, mesh)
-    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(edge_row, axis=0), axis=1))])
-    along -= along[-1] / 2
-    edge_at, angle_at = PchipInterpolator(along, edge_row), PchipInterpolator(along, angle)
-    root_at = PchipInterpolator(_angle(root_row, mesh), root_row)
-    widths, heights = WIDTHS[row], HEIGHTS[row]
-    bounds = np.concatenate([[0.0], np.cumsum(widths)]) * min(1.0, along[-1] / sum(widths))
-    s = np.concatenate([(a + b) / 2 + ACROSS * (b - a) / 2 for a, b in itertools.pairwise(bounds)])
-    tooth = np.repeat(np.arange(len(widths)), len(ACROSS))
-    gum = _gum_line(heights)
-    s = np.concatenate([-s[::-1], s])
-    edge, root = edge_at(s), root_at(np.clip(angle_at(s), *_angle(root_row, mesh)[[0, -1]]))
-    outward = np.cross(edge_at.derivative()(s), edge - root)
-    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
-    outward *= np.sign((outward * (edge - edge.mean(axis=0))).sum())
-    within = np.tile(ACROSS, len(widths))
+def _arch(arch: DentalArch) -> _Arch:
+    ends = arch.bounds
+    s = np.concatenate([(a + b) / 2 + ACROSS * (b - a) / 2 for a, b in itertools.pairwise(ends)])
+    tooth = np.repeat(np.arange(len(ends) - 1), len(ACROSS))
+    within, gum = np.tile(ACROSS, len(ends) - 1), _gum_line(HEIGHTS[arch.jaw])
     return _Arch(
-        edge,
-        root,
-        outward,
+        *arch.at(np.concatenate([-s[::-1], s])),
         np.concatenate([-within[::-1], within]),
         np.concatenate([tooth[::-1], tooth]),
         np.concatenate([gum[::-1], gum]),
     )
-
-
-def _rows(mesh: Mesh, row: str) -> tuple[FloatArray, FloatArray]:
-    """Cutting edge and root line of a strip of teeth, each from the right end over the front to the left end.
-
-    The strip runs from the root over the lips' side to the cutting edge and up the tongue's side; so its boundary is
-    the root line, the inner line and two ends, and the cutting edge is the row of its inside that is farther away.
-    """
-    loop = mesh.boundary_loops[-1]
-    rim = mesh.positions[loop]
-    ends = [int(np.where(side * rim[:, 0] > 0, rim[:, 2], np.inf).argmin()) for side in (1.0, -1.0)]
-    first, last = min(ends), max(ends)
-    chains = (rim[first : last + 1], np.concatenate([rim[last:], rim[: first + 1]]))
-    root = max(chains, key=lambda chain: float(chain[:, 2].max()))
-    inside = np.ones(len(mesh.positions), dtype=bool)
-    inside[loop] = False
-    inner = mesh.positions[inside]
-    base = np.column_stack([np.ones(len(inner)), inner[:, 2]])
-    off = inner[:, 1] - base @ np.linalg.lstsq(base, inner[:, 1], rcond=None)[0]
-    edge = inner[off < 0 if row == "upper" else off > 0]
-    return edge[np.argsort(_angle(edge, mesh))], _increasing(root, _angle(root, mesh))
-
-
-def _angle(points: FloatArray, mesh: Mesh) -> FloatArray:
-    """Angle of places about the middle of the arch, from the right end to the left end."""
-    return np.arctan2(points[:, 0], points[:, 2] - mesh.positions[:, 2].min() + 10.0)
-
-
-def _increasing(points: FloatArray, angle: FloatArray) -> FloatArray:
-    """Points in the order of their angle, those of equal angle (the ends) left out but one."""
-    order = np.argsort(angle)
-    steps = np.diff(angle[order], prepend=-np.inf)
-    return np.asarray(points[order[steps > 1e-3]])
 
 
 def _gum_line(heights: Sequence[float]) -> FloatArray:

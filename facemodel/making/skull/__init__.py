@@ -1,5 +1,5 @@
 """The template skull, derived from the skin and tables of soft-tissue depth."""
 
-from facemodel.making.skull.make import make_skull
+from facemodel.making.skull.make import arches_of, make_skull, with_bones_about_teeth
 
-__all__ = ["make_skull"]
+__all__ = ["arches_of", "make_skull", "with_bones_about_teeth"]

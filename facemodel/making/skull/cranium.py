@@ -17,7 +17,7 @@ from facemodel.making.skull.fields import (
     smooth_max,
     smooth_min,
 )
-from facemodel.making.skull.teeth import PROUD, UPPER, sockets
+from facemodel.making.skull.teeth import UPPER, sockets
 from fem.types import FloatArray
 
 ARCH = [
@@ -102,13 +102,14 @@ def fossa(p: FloatArray) -> FloatArray:
     return np.asarray((wall + ramp * (beyond + np.sqrt(beyond**2 + 40)) / 2 - x) / np.sqrt(1 + ramp**2))
 
 
-def cranium_field(p: FloatArray, bone: FloatArray) -> FloatArray:
+def cranium_field(p: FloatArray, bone: FloatArray, cover: FloatArray) -> FloatArray:
     """The cranium without teeth.
 
     Parameters
     ----------
     p : (n, 3) points of the measured head, either side
     bone : (n,) signed distance to the surface on which bone ends
+    cover : (n,) the same to the one on which the sockets of teeth end, which stand out of it as lips lie on them
     """
     p = np.abs(p[:, :1]) * [1, 0, 0] + p * [0, 1, 1]
     x, y, z = p.T
@@ -121,7 +122,7 @@ def cranium_field(p: FloatArray, bone: FloatArray) -> FloatArray:
     joint = ellipsoid(p, (50, 705.5, 75), (15, 8.5, 7.2))
     skull = carved(carved(skull, joint, 2.5), orbit(p), 5)
     spine = smooth_max(rod(p, [(0, 680, 138), (0, 679, 148.5)], [3, 1.2]), bone, 1)
-    skull = smooth_min(np.maximum(skull, bone), smooth_max(sockets(p, UPPER), bone - PROUD, 1.5), 2)
+    skull = smooth_min(np.maximum(skull, bone), smooth_max(sockets(p, UPPER), cover, 1.5), 2)
     skull = smooth_min(carved(skull, nose(p), 4), spine, 2)
     canal = rod(p, [(75, 706, 61.5), (52, 704.5, 62.5)], [3.0, 2.6])
     outlet = ellipsoid(p, (28.5, 703.5, 137), (2.6, 2.6, 5))

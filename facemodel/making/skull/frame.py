@@ -13,7 +13,7 @@ from facemodel.face import Eye
 from facemodel.making.landmarks import MIDLINE
 from facemodel.making.skull.depth import BoneEnvelope
 from facemodel.making.skull.envelope import closed
-from fem.types import FloatArray, IntArray
+from fem.types import FloatArray
 
 BONE: Mapping[str, tuple[float, float, float]] = {
     "supraglabella": (0.0, 770.9, 147.0),
@@ -42,6 +42,9 @@ EYE = (31.2, 730.1, 122.0)
 CROWN = (0.0, 843.7, 68.5)
 NAPE = (0.0, 762.6, -33.8)
 """Centre of the left eyeball, highest and hindmost bone of the measured head."""
+
+FIRM = ("pogonion", "menton", "gonion", "mid_masseter", "zygion", "inferior_malar")
+"""Landmarks whose bone does not follow the teeth."""
 
 SLIT = (0.0, 661.5, 145.5)
 """Bone behind the slit of the lips of the measured head, where the tooth rows meet."""
@@ -85,15 +88,24 @@ class Frame:
     """A smooth map from the measured head to another: a thin-plate spline through the bone under the landmarks.
 
     Along the dental arches, where the landmarks lie on soft lips, it is then drawn to the nearest bone.
+
+    Attributes
+    ----------
+    bone : the surface on which the bone of the other head ends
+    firm : (n, 3) bone of it under the landmarks that lie beside the rows of teeth and on no lip
     """
 
     def __init__(self, bone: BoneEnvelope, landmarks: Mapping[str, int], eyes: tuple[Eye, Eye]) -> None:
-        here, there = [], []
+        self.bone = bone
+        here, there, firm = [], [], []
         for name, place in BONE.items():
             sides = (("", 1.0),) if name in MIDLINE else (("_L", 1.0), ("_R", -1.0))
             for suffix, sign in sides:
                 here.append(bone.anchors[landmarks[name + suffix]])
                 there.append((sign * place[0], *place[1:]))
+                if name in FIRM:
+                    firm.append(here[-1])
+        self.firm = np.array(firm)
         for eye in eyes:
             here.append(eye.centre)
             there.append((EYE[0] if eye.side == "L" else -EYE[0], *EYE[1:]))
@@ -110,16 +122,3 @@ class Frame:
     def here(self, points: FloatArray) -> FloatArray:
         """Where points (n, 3) of the measured head lie in this one."""
         return np.asarray(self._map(points))
-
-    def fitted(self, points: FloatArray, pieces: IntArray) -> FloatArray:
-        """Points (n, 3) carried over in pieces (n,) that keep their shape: each moves to where its middle goes.
-
-        All turn and grow alike, as the map does on the whole.
-        """
-        target = self.here(points)
-        a, b = points - points.mean(axis=0), target - target.mean(axis=0)
-        u, stretch, v = np.linalg.svd(a.T @ b)
-        scale = stretch.sum() / (a**2).sum()
-        count = np.bincount(pieces)[:, None]
-        middle = np.stack([np.bincount(pieces, points[:, k]) for k in range(3)], axis=1) / count
-        return np.asarray(scale * (points - middle[pieces]) @ (u @ v) + self.here(middle)[pieces])

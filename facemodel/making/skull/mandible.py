@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from facemodel.making.skull.fields import along, carved, ellipsoid, outline, rod, smooth_max, smooth_min
-from facemodel.making.skull.teeth import LOWER, PROUD, sockets
+from facemodel.making.skull.teeth import LOWER, sockets
 from fem.types import FloatArray
 
 BOW = np.array(
@@ -49,7 +49,7 @@ def unrolled(p: FloatArray) -> tuple[FloatArray, FloatArray]:
     return arc, offset
 
 
-def mandible_field(p: FloatArray, bone: FloatArray) -> FloatArray:
+def mandible_field(p: FloatArray, bone: FloatArray, cover: FloatArray) -> FloatArray:
     """The mandible without teeth; parameters as in `cranium_field`."""
     p = np.abs(p[:, :1]) * [1, 0, 0] + p * [0, 1, 1]
     y = p[:, 1]
@@ -62,6 +62,6 @@ def mandible_field(p: FloatArray, bone: FloatArray) -> FloatArray:
     head = ellipsoid(p, (50, 707, 75), (10, 5, 4.8))
     chin = ellipsoid(p, (7, 629, 133), (10, 6, 7))
     whole = smooth_min(smooth_min(plate, chin, 4), smooth_min(neck, head, 3), 3)
-    whole = smooth_min(smooth_max(whole, bone, 1.5), smooth_max(sockets(p, LOWER), bone - PROUD, 1.5), 3)
+    whole = smooth_min(smooth_max(whole, bone, 1.5), smooth_max(sockets(p, LOWER), cover, 1.5), 3)
     foramen = ellipsoid(p, (22, 643, 122), (4, 2.2, 2.2))
     return carved(whole, foramen, 1)

@@ -81,15 +81,15 @@ OVERBITE = 1.6
 ROOTED = 2.5
 """Millimetres of each crown that are sunk in the bone."""
 
-PROUD = 1.5
-"""Millimetres that roots may stand out of the surface on which bone ends."""
+NECK = 1.6
+"""Millimetres of crown that the rim of its socket hides: what the grid rounds off is in it."""
 
 RING = 12
 """Vertices around a crown."""
 
 LEVEL = np.array([0.0, 0.4, 0.65, 0.86, 1.0])
 WAIST: Mapping[Form, FloatArray] = {
-    "incisor": np.array([[0.78, 1.0], [0.9, 0.95], [0.97, 0.72], [1.0, 0.46], [0.9, 0.24]]),
+    "incisor": np.array([[0.82, 1.0], [0.95, 0.95], [0.99, 0.72], [1.0, 0.46], [0.96, 0.24]]),
     "canine": np.array([[0.8, 1.0], [0.95, 1.0], [1.0, 0.8], [0.78, 0.56], [0.3, 0.26]]),
     "premolar": np.array([[0.82, 0.9], [0.96, 1.0], [1.0, 1.0], [0.97, 0.9], [0.74, 0.62]]),
     "molar": np.array([[0.86, 0.9], [0.97, 1.0], [1.0, 1.0], [0.97, 0.93], [0.82, 0.74]]),
@@ -105,7 +105,7 @@ CUSPS: Mapping[Form, tuple[int, float, float]] = {
 """Cusps around the chewing face, how far they rise and how far its middle does, millimetres."""
 
 
-def _crown(tooth: Tooth) -> tuple[FloatArray, IntArray]:
+def crown(tooth: Tooth) -> tuple[FloatArray, IntArray]:
     """A crown: vertices (n, 4) as place across, share of the height, rise above that, place outwards; triangles."""
     angle = 2 * np.pi * (np.arange(RING) + 0.5) / RING
     square = (np.abs(np.cos(angle)) ** 3.0 + np.abs(np.sin(angle)) ** 3.0) ** (-1 / 3.0)
@@ -147,7 +147,7 @@ def tooth_row(row: Row) -> Mesh:
         share = (start + tooth.width / 2) / reach
         start += tooth.width
         ahead = edge(share, 1) / np.linalg.norm(edge(share, 1))
-        local, corners = _crown(tooth)
+        local, corners = crown(tooth)
         span = tooth.height + ROOTED
         plan = neck(share) + local[:, 1:2] * (edge(share) - neck(share))
         plan = plan + local[:, :1] * ahead + local[:, 3:] * np.array([-ahead[1], ahead[0]])
@@ -171,7 +171,7 @@ def sockets(p: FloatArray, row: Row) -> FloatArray:
     for tooth in row.teeth:
         x, z = neck((start + tooth.width / 2) / reach)
         start += tooth.width
-        gum = along(np.array([z]), BITE)[0] - row.up * (tooth.height - 0.4)
-        root = rod(p, [(x, gum, z), (0.94 * x, gum - row.up * 11, z - 4)], [tooth.depth * 0.58, tooth.depth * 0.4])
+        gum = along(np.array([z]), BITE)[0] - row.up * (tooth.height - NECK)
+        root = rod(p, [(x, gum, z), (0.94 * x, gum - row.up * 11, z - 4)], [tooth.depth * 0.74, tooth.depth * 0.45])
         best = smooth_min(best, smooth_max(root, row.up * (p[:, 1] - gum), 2.0), 2.5)
     return best

@@ -85,7 +85,7 @@ def test_picks_fit_it_and_say_what_they_miss_and_using_it_is_one_step(fitting, d
     assert not own.on
     after = document.project.face.skull
     bone = whole(before.face.skull)
-    assert np.median(bone.tree.query(whole(after).positions)[0]) < 4
+    assert np.median(bone.tree.query(whole(after).positions)[0]) < 6
     assert 0.6 < len(after.mandible.triangles) / len(before.face.skull.mandible.triangles) < 1.4
     path = tmp_path / "imported.risorius"
     document.save(path)
