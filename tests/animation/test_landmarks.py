@@ -79,7 +79,7 @@ def test_what_the_face_did_is_found_again(follow, weights: dict[str, float]) -> 
         assert found[name] == pytest.approx(weight, abs=NEAR), name
     fields = {name for name in found if name[0].isdigit()}
     # A lid that closes is tightened a little, too: what it does on the eyeball no single field does.
-    assert max(found[name] for name in fields - weights.keys()) < (0.3 if "43R" in weights else 0.2)
+    assert max(found[name] for name in fields - weights.keys()) < (0.3 if "43R" in weights else 0.22)
 
 
 def test_a_mouth_that_opens_wide_opens_the_jaw_as_far(follow, solution: Solution) -> None:
