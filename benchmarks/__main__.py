@@ -11,7 +11,19 @@ from pathlib import Path
 # As the program runs, see `ui`; it must be set before NumPy is loaded, and its children inherit it.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from benchmarks import animation, authoring, contact, exports, frames, growth, solving, start, superposition, timeline
+from benchmarks import (
+    animation,
+    authoring,
+    contact,
+    exports,
+    frames,
+    growth,
+    solving,
+    start,
+    superposition,
+    timeline,
+    tissue,
+)
 from benchmarks.figure import Figure, Unmeasured
 from benchmarks.machine import machine
 from benchmarks.report import table, write
@@ -28,6 +40,7 @@ BENCHMARKS: Mapping[str, Callable[[], Iterator[Figure]]] = {
     "animation": animation.figures,
     "timeline": timeline.figures,
     "contact": contact.figures,
+    "tissue": tissue.figures,
     "exports": exports.figures,
 }
 

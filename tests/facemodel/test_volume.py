@@ -6,41 +6,23 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks.tissue import MOST_CHANGE, divergence, volume_change
 from facemodel.basis import Basis
 from facemodel.face import Face
 from facemodel.io.archive import unpack
 from facemodel.io.project_file import PROJECT_MEMBER, load_project, project_bytes, save_project
-from facemodel.mesh import Mesh
 from facemodel.painting.layers import LAYER
 from facemodel.project import Project
 from facemodel.solve import face_system
 from facemodel.solver import FaceSolver
 from facemodel.staleness import stale_fields
-from facemodel.tissue import SLIDING, tissue_springs, tissue_thickness
+from facemodel.tissue import SLIDING, tissue_springs
 from fem.types import FloatArray
 from tests.app.conftest import small_project
-from tests.facemodel.places import vertex_fields
 from tests.facemodel.test_painting_layers import DOME, FACE
 
 FIRM = 0.2
 """N/mm^3, fifty times the tissue's stiffness: volume is all but kept."""
-
-MOST_CHANGE = 0.02
-"""Share of the volume under the skin by which it may change where the layer is on."""
-
-
-def divergence(skin: Mesh, field: FloatArray) -> FloatArray:
-    """Divergence along the surface (n,) of a field (n, 3) that is linear in every triangle, averaged about vertices."""
-    corners = skin.positions[skin.triangles]
-    normals = skin.triangle_normals
-    square = np.einsum("ij,ij->i", normals, normals)
-    # The gradient of a corner's share is its opposite edge, turned by a right angle in the plane, over twice the area.
-    opposite = np.roll(corners, -2, axis=1) - np.roll(corners, -1, axis=1)
-    gradients = np.cross(normals[:, None], opposite) / square[:, None, None]
-    own = np.einsum("tkc,tkc->t", gradients, field[skin.triangles])
-    around = np.repeat(np.sqrt(square) / 6, 3)
-    total = np.bincount(skin.triangles.ravel(), around * np.repeat(own, 3), len(skin.positions))
-    return np.asarray(total / np.maximum(skin.vertex_areas, np.finfo(np.float64).tiny))
 
 
 def painted(face: Face, **layers: float | FloatArray) -> Face:
@@ -127,10 +109,4 @@ def test_both_are_painted_like_any_layer() -> None:
 def test_cheeks_and_lips_keep_their_volume_when_they_are_pulled_and_pursed(
     face: Face, basis: Basis, number: int
 ) -> None:
-    fields = vertex_fields(face, basis)
-    moved = fields[f"{number}L"] + fields[f"{number}R"]
-    thickness, areas = tissue_thickness(face), face.skin.vertex_areas
-    change = np.einsum("ij,ij->i", moved, face.skin.normals) + thickness / 2 * divergence(face.skin, moved)
-    kept = face.layers.volume > 0.5 * face.layers.volume.max()
-    share = (areas * change)[kept].sum() / (areas * thickness)[kept].sum()
-    assert abs(share) < MOST_CHANGE
+    assert abs(volume_change(face, basis, number)) < MOST_CHANGE
