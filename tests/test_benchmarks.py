@@ -82,7 +82,10 @@ def test_an_unknown_benchmark_is_answered_with_those_there_are(repository: Path)
     command = [sys.executable, "-m", "benchmarks", "everything"]
     done = subprocess.run(command, cwd=repository, capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    assert "superposition, frames, solving, growth, start, authoring, animation, timeline, contact" in done.stderr
+    assert (
+        "superposition, frames, solving, growth, start, authoring, animation, timeline, contact, tissue, exports"
+        in done.stderr
+    )
 
 
 def test_fields_without_meaning_can_be_posed_like_those_of_a_face() -> None:

@@ -55,21 +55,21 @@ def _inside(mesh: Mesh, points: FloatArray) -> FloatArray:
     return np.asarray(igl.signed_distance(points, mesh.positions, mesh.triangles, kind)[0])
 
 
-def _shape(field: Shape, frame: Frame, block: Block, seat: Seat, arch: DentalArch) -> Mesh:
+def _shape(field: Shape, limits: tuple[Mesh, Mesh], frame: Frame, block: Block, seat: Seat, arch: DentalArch) -> Mesh:
     """One bone: sampled on a grid of the measured head, meshed there, and carried to this head.
 
-    It ends on the envelope, with which it goes along to its teeth, and stays under skin and gum in any case.
+    Parameters
+    ----------
+    limits : the surface on which bone ends, with which it goes along to its teeth, and the closed skin
+    arch : of its teeth; under their gum and the skin it stays in any case
     """
     coarse = Grid.over(block.low, block.high, 2 * block.step)
     here = frame.here(coarse.points())
-    inner = frame.bone.inner
-    end = _inside(Mesh(*igl.loop(inner.positions, inner.triangles, 1)), here)
     seated = seat(here)
-    skin, gum = _inside(closed(frame.bone.skin), seated), before_row(arch, seated)
-    body = smooth_max(end, np.maximum(skin + THINNEST, gum), 1.0)
+    end, skin, gum = _inside(limits[0], here), _inside(limits[1], seated), before_row(arch, seated)
     fine = coarse.halved()
-    limits = (coarse.refined(distance) for distance in (body, np.maximum(skin + THIN_LIP, gum)))
-    bone = meshed(fine, field(fine.points(), *limits), block.triangles)
+    distances = smooth_max(end, np.maximum(skin + THINNEST, gum), 1.0), np.maximum(skin + THIN_LIP, gum)
+    bone = meshed(fine, field(fine.points(), *map(coarse.refined, distances)), block.triangles)
     return bone.moved(seat(frame.here(bone.positions)))
 
 
@@ -103,11 +103,12 @@ def make_skull(
     """
     bone = BoneEnvelope(skin, landmarks, eyes)
     frame = Frame(bone, landmarks, eyes)
+    limits = Mesh(*igl.loop(bone.inner.positions, bone.inner.triangles, 1)), closed(skin)
     upper, lower = arches["upper"], arches["lower"]
     seat = seat_of(frame, [(UPPER, upper), (LOWER, lower)])
     return Skull(
-        _joined(_shape(cranium_field, frame, CRANIUM, seat, upper), _crowns(UPPER, upper)),
-        _joined(_shape(mandible_field, frame, MANDIBLE, seat, lower), _crowns(LOWER, lower)),
+        _joined(_shape(cranium_field, limits, frame, CRANIUM, seat, upper), _crowns(UPPER, upper)),
+        _joined(_shape(mandible_field, limits, frame, MANDIBLE, seat, lower), _crowns(LOWER, lower)),
         bone.anchors,
         jaw_share(skin, landmarks),
         jaw_hinge(skin, landmarks, bone.anchors, frame),

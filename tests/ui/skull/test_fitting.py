@@ -8,7 +8,7 @@ import trimesh
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 from scipy.spatial.transform import Rotation
 
 from app.document import Document
@@ -90,7 +90,7 @@ def test_picks_fit_it_and_say_what_they_miss_and_using_it_is_one_step(fitting, d
     assert not own.on
     after = document.project.face.skull
     bone, fitted = whole(before.face.skull), whole(after)
-    near = cKDTree(targets).query(fitted.positions)[0] < ABOUT
+    near = KDTree(targets).query(fitted.positions)[0] < ABOUT
     assert np.median(bone.tree.query(fitted.positions[near])[0]) < 4
     assert 0.6 < len(after.mandible.triangles) / len(before.face.skull.mandible.triangles) < 1.4
     path = tmp_path / "imported.risorius"
